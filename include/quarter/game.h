@@ -1,0 +1,76 @@
+/* The game of a mission, as the learner plays it: the joint game with its clock, rewards and discount.
+ *
+ * Both objectives are put as one to be maximised. Discounted: a visit at step t is worth w P gamma^max(t-1, 0). Expected
+ * time: a visit is worth -P t, and every place must be visited.
+ */
+#ifndef QUARTER_GAME_H
+#define QUARTER_GAME_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "quarter/config.h"
+#include "quarter/joint.h"
+#include "quarter/mission.h"
+#include "quarter/travel.h"
+
+#define QTR_MAX_NODES (QTR_MAX_PLACES + QTR_MAX_SEEKERS)
+#define QTR_GAME_POWERS 4096 /* powers of gamma kept ready; later ones are computed */
+
+/* Large: keep it in static storage. */
+typedef struct {
+  const qtr_mission *mission;
+  qtr_board board;
+  double probability[QTR_MAX_PLACES]; /* P, sum 1 */
+  double power[QTR_GAME_POWERS];      /* gamma^n */
+  uint8_t steps[4 * QTR_MAX_NODES * QTR_MAX_PLACES];
+  uint16_t first_at[QTR_MAX_SEEKERS]; /* of each distinct start, the first seeker there */
+} qtr_game;
+
+/* A moment of the game. */
+typedef struct {
+  qtr_joint joint;
+  qtr_steps now;    /* since the start */
+  double unvisited; /* probability of the places left */
+} qtr_state;
+
+/* What the time that passes after a choice brings, until somebody is to choose again. */
+typedef struct {
+  double reward;   /* counted from the moment of the choice */
+  double discount; /* of what comes after; 1 under expected time */
+} qtr_outcome;
+
+/* Solve the elemental tasks of a checked mission and set the game up. `field` is scratch. The mission must outlive the
+ * game. QTR_OK, QTR_ERR_LIMIT, or QTR_ERR_UNREACHABLE with the first such place in `*culprit` (may be NULL). */
+int qtr_game_init(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit);
+
+/* Whether any seeker can reach a place. */
+bool qtr_game_reachable(const qtr_game *game, unsigned place);
+
+/* gamma^n under either objective. */
+double qtr_game_power(const qtr_game *game, qtr_steps n);
+
+/* What visiting `place` at step `when` is worth, under the mission's objective. */
+double qtr_game_worth(const qtr_game *game, unsigned place, qtr_steps when);
+
+/* The first state. */
+void qtr_game_start(const qtr_game *game, qtr_state *state);
+
+/* `seeker`, whose turn it is, chooses. No time passes. Returns the reward of a place at no distance, visited at once:
+ * only a place on a start cell is. */
+double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint16_t choice);
+
+/* Let time pass until somebody is to choose or the game is over: Q(s,a) = reward + discount * max Q(s',a') (Eq. 4.7). */
+void qtr_game_pass(const qtr_game *game, qtr_state *state, qtr_outcome *outcome);
+
+/* What a whole game earns, under both objectives at once. */
+typedef struct {
+  double value;         /* discounted */
+  double expected_time; /* steps */
+  double worth;         /* under the mission's objective, to be maximised: value, or -expected_time */
+} qtr_score;
+
+/* Score a game given each place's step of first visit. */
+void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *score);
+
+#endif

@@ -1,0 +1,13 @@
+/* The learner side whole, and the robot side under it: from a mission to a policy table. Link quarter::learn. */
+#ifndef QUARTER_LEARN_H
+#define QUARTER_LEARN_H
+
+#include "quarter/bound.h"
+#include "quarter/export.h"
+#include "quarter/game.h"
+#include "quarter/learner.h"
+#include "quarter/mission.h"
+#include "quarter/qtable.h"
+#include "quarter/robot.h"
+
+#endif

@@ -1,0 +1,40 @@
+/* A mission: the problem that the learner solves. Plain data, filled by the caller; large, keep it in static storage. */
+#ifndef QUARTER_MISSION_H
+#define QUARTER_MISSION_H
+
+#include "quarter/config.h"
+#include "quarter/grid.h"
+#include "quarter/joint.h"
+#include "quarter/status.h"
+
+enum qtr_objective {
+  QTR_DISCOUNTED = 0, /* maximise the sum over places of w P gamma^max(t-1, 0), w = 10 (paper, section 4.1) */
+  QTR_TIME = 1        /* minimise the expected step of the visit, the sum of P t */
+};
+
+#define QTR_REWARD_SCALE 10.0 /* w of Eq. 4.2 */
+
+typedef struct {
+  uint16_t columns, rows;          /* columns * rows <= QTR_MAX_CELLS */
+  uint16_t places;                 /* 1..QTR_MAX_PLACES */
+  uint8_t seekers;                 /* 1..QTR_MAX_SEEKERS */
+  uint8_t objective;               /* enum qtr_objective */
+  uint8_t rule;                    /* enum qtr_rule */
+  double gamma;                    /* discount a step, 0 < gamma < 1; used to report the value under either objective */
+  qtr_cell start[QTR_MAX_SEEKERS]; /* free cells, may coincide */
+  qtr_cell place[QTR_MAX_PLACES];  /* free cells, all different */
+  double weight[QTR_MAX_PLACES];   /* likelihood of each place, above 0, in any unit: normalised to sum 1 */
+  uint8_t cost[QTR_MAX_CELLS];     /* 0 = blocked, 1..255 = steps that entering the cell takes; row 0 on top */
+} qtr_mission;
+
+/* An empty mission with the defaults: discounted, free rule, gamma 0.99. */
+void qtr_mission_default(qtr_mission *mission);
+
+/* QTR_OK, or what is wrong (QTR_ERR_LIMIT, _ARGUMENT, _NO_START, _NO_PLACE, _START, _PLACE, _WEIGHT) and in
+ * `*culprit` (may be NULL) the index of the start or place at fault. Reachability is checked with the travel times. */
+int qtr_mission_check(const qtr_mission *mission, int *culprit);
+
+/* The mission's cells as a grid; lives as long as the mission. */
+qtr_grid qtr_mission_grid(const qtr_mission *mission);
+
+#endif

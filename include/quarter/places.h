@@ -1,0 +1,32 @@
+/* Sets of places as fixed arrays of 32-bit words: 16 places cost one word. */
+#ifndef QUARTER_PLACES_H
+#define QUARTER_PLACES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "quarter/config.h"
+
+#define QTR_PLACE_WORDS ((QTR_MAX_PLACES + 31) / 32)
+
+typedef struct {
+  uint32_t word[QTR_PLACE_WORDS];
+} qtr_places;
+
+static inline void qtr_places_clear(qtr_places *set) {
+  for (int w = 0; w < QTR_PLACE_WORDS; w++) set->word[w] = 0;
+}
+
+static inline bool qtr_places_has(const qtr_places *set, unsigned place) {
+  return (set->word[place / 32] >> (place % 32)) & 1u;
+}
+
+static inline void qtr_places_add(qtr_places *set, unsigned place) {
+  set->word[place / 32] |= (uint32_t)1 << (place % 32);
+}
+
+static inline void qtr_places_remove(qtr_places *set, unsigned place) {
+  set->word[place / 32] &= ~((uint32_t)1 << (place % 32));
+}
+
+#endif

@@ -1,0 +1,40 @@
+/* The compact Q-table: exact keys, a float each, in one fixed array.
+ *
+ * An entry is Q(s, a), stored under the joint state that the choice leads to before time passes. Two pairs (s, a) that
+ * lead to the same such state have the same value and share the entry. A hash picks the slot, the stored key decides.
+ * An entry takes only the words that the mission's keys need: 12 bytes for 20 places and 2 seekers.
+ */
+#ifndef QUARTER_QTABLE_H
+#define QUARTER_QTABLE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "quarter/config.h"
+#include "quarter/joint.h"
+
+/* Large: keep it in static storage. Pages that a small game does not fill are never touched. */
+typedef struct {
+  uint32_t entries;     /* in use */
+  uint32_t slots;       /* in use or free */
+  uint32_t slots_limit; /* that the array holds */
+  uint32_t refused;     /* entries that a full table did not take */
+  uint8_t entry_words;  /* key and value */
+  uint8_t key_words;    /* of the board's keys; the stored key may take one more, for its tag */
+  uint32_t tag;         /* of the entries in their right slots, in the top bits of a stored key */
+  uint32_t word[QTR_QTABLE_WORDS];
+} qtr_qtable;
+
+/* Empty the table for the keys of a board. */
+void qtr_qtable_init(qtr_qtable *table, const qtr_board *board);
+
+/* Bytes that an entry takes, key and value. */
+uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table);
+
+/* Look an entry up. False if there is none. */
+bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, float *value);
+
+/* Set an entry, new or old. False, and counted in `refused`, if it is new and the table is full. */
+bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, float value);
+
+#endif

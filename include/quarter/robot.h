@@ -1,0 +1,14 @@
+/* The robot side whole: open a policy table, execute it. Integers only, no heap; link quarter::robot. */
+#ifndef QUARTER_ROBOT_H
+#define QUARTER_ROBOT_H
+
+#include "quarter/config.h"
+#include "quarter/grid.h"
+#include "quarter/joint.h"
+#include "quarter/places.h"
+#include "quarter/policy.h"
+#include "quarter/seeker.h"
+#include "quarter/status.h"
+#include "quarter/travel.h"
+
+#endif

@@ -1,0 +1,29 @@
+/* The elemental tasks (paper, section 4.1): shortest travel times on the grid and the next step towards a cell.
+ *
+ * Travel time counts what entering each cell on the way costs, the target included, the start not. With terrain it is
+ * not symmetric.
+ */
+#ifndef QUARTER_TRAVEL_H
+#define QUARTER_TRAVEL_H
+
+#include "quarter/config.h"
+#include "quarter/grid.h"
+
+#define QTR_TRAVEL_RING 256 /* one more than the greatest cost of a cell */
+
+/* Travel times from every cell to one target. Large: keep it in static storage. */
+typedef struct {
+  qtr_steps to_go[QTR_MAX_CELLS]; /* QTR_NEVER where the target cannot be reached */
+  qtr_cell link[QTR_MAX_CELLS];   /* scratch: cells waiting in the same ring entry */
+  qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: cells by the time at which they are settled */
+} qtr_field;
+
+/* Fill `field` with the travel times to `target`, a free cell of the grid. Dijkstra's algorithm over a ring of time
+ * buckets (Dial 1969): time and memory linear in the cells. */
+void qtr_field_fill(qtr_field *field, const qtr_grid *grid, qtr_cell target);
+
+/* The cell to enter next on a shortest path from `cell` to the field's target: the first in the order N, E, S, W.
+ * `cell` itself at the target; QTR_NO_CELL where the target cannot be reached. */
+qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell);
+
+#endif

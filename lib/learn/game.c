@@ -1,0 +1,146 @@
+#include "quarter/game.h"
+
+#include <stddef.h>
+
+#include "bytes.h"
+
+/* ---- set-up ---- */
+
+static void find_starts(qtr_game *game) {
+  qtr_board *board = &game->board;
+  board->starts = 0;
+  for (unsigned i = 0; i < board->seekers; i++) {
+    uint8_t start = 0;
+    while (start < board->starts && game->mission->start[game->first_at[start]] != game->mission->start[i]) start++;
+    if (start == board->starts) game->first_at[board->starts++] = (uint16_t)i;
+    board->start_of[i] = start;
+  }
+}
+
+static void store_steps(qtr_game *game, unsigned node, unsigned place, qtr_steps steps) {
+  store32_le(game->steps + 4 * ((uint32_t)node * game->board.places + place), steps);
+}
+
+/* One field a place gives the travel times to it from every node. */
+static void measure_travel(qtr_game *game, qtr_field *field) {
+  const qtr_mission *mission = game->mission;
+  const qtr_grid grid = qtr_mission_grid(mission);
+  for (unsigned to = 0; to < mission->places; to++) {
+    qtr_field_fill(field, &grid, mission->place[to]);
+    for (unsigned from = 0; from < mission->places; from++)
+      store_steps(game, from, to, field->to_go[mission->place[from]]);
+    for (unsigned start = 0; start < game->board.starts; start++)
+      store_steps(game, mission->places + start, to, field->to_go[mission->start[game->first_at[start]]]);
+  }
+}
+
+static void set_probabilities(qtr_game *game) {
+  const qtr_mission *mission = game->mission;
+  double sum = 0.0;
+  for (unsigned place = 0; place < mission->places; place++) sum += mission->weight[place];
+  for (unsigned place = 0; place < mission->places; place++) game->probability[place] = mission->weight[place] / sum;
+}
+
+/* By multiplication alone: pow() differs between C libraries, and a run must repeat bit for bit. */
+static void set_powers(qtr_game *game) {
+  game->power[0] = 1.0;
+  for (unsigned n = 1; n < QTR_GAME_POWERS; n++) game->power[n] = game->power[n - 1] * game->mission->gamma;
+}
+
+bool qtr_game_reachable(const qtr_game *game, unsigned place) {
+  for (unsigned start = 0; start < game->board.starts; start++)
+    if (qtr_board_steps(&game->board, (unsigned)game->board.places + start, place) != QTR_NEVER) return true;
+  return false;
+}
+
+int qtr_game_init(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit) {
+  game->mission = mission;
+  game->board.places = mission->places;
+  game->board.seekers = mission->seekers;
+  game->board.rule = mission->rule;
+  game->board.steps = game->steps;
+  find_starts(game);
+  measure_travel(game, field);
+  set_probabilities(game);
+  set_powers(game);
+  for (unsigned place = 0; place < mission->places; place++) {
+    if (qtr_game_reachable(game, place)) continue;
+    if (culprit != NULL) *culprit = (int)place;
+    return QTR_ERR_UNREACHABLE;
+  }
+  return qtr_board_init(&game->board);
+}
+
+/* ---- rewards ---- */
+
+double qtr_game_power(const qtr_game *game, qtr_steps n) {
+  if (n < QTR_GAME_POWERS) return game->power[n];
+  double power = game->power[n % QTR_GAME_POWERS];
+  double square = game->power[QTR_GAME_POWERS - 1] * game->power[1];
+  for (n /= QTR_GAME_POWERS; n > 0; n /= 2) {
+    if (n % 2 == 1) power *= square;
+    square *= square;
+  }
+  return power;
+}
+
+static double discounted_worth(const qtr_game *game, unsigned place, qtr_steps when) {
+  return QTR_REWARD_SCALE * game->probability[place] * qtr_game_power(game, when > 0 ? when - 1 : 0);
+}
+
+double qtr_game_worth(const qtr_game *game, unsigned place, qtr_steps when) {
+  if (game->mission->objective == QTR_TIME) return -game->probability[place] * (double)when;
+  return discounted_worth(game, place, when);
+}
+
+void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *score) {
+  score->value = 0.0;
+  score->expected_time = 0.0;
+  for (unsigned place = 0; place < game->board.places; place++) {
+    score->value += discounted_worth(game, place, visit[place]);
+    score->expected_time += game->probability[place] * (double)visit[place];
+  }
+  score->worth = game->mission->objective == QTR_TIME ? -score->expected_time : score->value;
+}
+
+/* ---- play ---- */
+
+void qtr_game_start(const qtr_game *game, qtr_state *state) {
+  qtr_joint_start(&state->joint, &game->board, NULL);
+  state->now = 0;
+  state->unvisited = 1.0;
+}
+
+/* Let `passed` steps, one or more, go by in an outcome; at their end the places in `arrived` are visited. */
+static void collect(const qtr_game *game, qtr_state *state, qtr_outcome *outcome, qtr_steps passed,
+                    const qtr_places *arrived) {
+  double probability = 0.0;
+  for (unsigned place = 0; place < game->board.places; place++)
+    if (qtr_places_has(arrived, place)) probability += game->probability[place];
+  if (game->mission->objective == QTR_TIME) {
+    outcome->reward -= (double)passed * state->unvisited;
+  } else {
+    outcome->reward += outcome->discount * qtr_game_power(game, passed - 1) * QTR_REWARD_SCALE * probability;
+    outcome->discount *= qtr_game_power(game, passed);
+  }
+  state->now += passed;
+  state->unvisited -= probability;
+}
+
+double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint16_t choice) {
+  if (!qtr_joint_choose(&state->joint, &game->board, seeker, choice)) return 0.0;
+  state->unvisited -= game->probability[choice];
+  return qtr_game_worth(game, choice, 0);
+}
+
+void qtr_game_pass(const qtr_game *game, qtr_state *state, qtr_outcome *outcome) {
+  outcome->reward = 0.0;
+  outcome->discount = 1.0;
+  while (qtr_joint_chooser(&state->joint, &game->board) == QTR_NOBODY) {
+    qtr_places arrived;
+    qtr_places_clear(&arrived);
+    const qtr_steps passed = qtr_joint_advance(&state->joint, &game->board, &arrived);
+    if (passed == 0) break;
+    collect(game, state, outcome, passed, &arrived);
+  }
+}

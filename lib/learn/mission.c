@@ -1,0 +1,60 @@
+#include "quarter/mission.h"
+
+#include <float.h>
+#include <stddef.h>
+#include <string.h>
+
+void qtr_mission_default(qtr_mission *mission) {
+  memset(mission, 0, sizeof *mission);
+  mission->objective = QTR_DISCOUNTED;
+  mission->rule = QTR_RULE_FREE;
+  mission->gamma = 0.99;
+}
+
+qtr_grid qtr_mission_grid(const qtr_mission *mission) {
+  const qtr_grid grid = {mission->columns, mission->rows, QTR_GRID_BYTES, mission->cost};
+  return grid;
+}
+
+static int check_dimensions(const qtr_mission *mission) {
+  const uint32_t cells = (uint32_t)mission->columns * mission->rows;
+  if (cells > QTR_MAX_CELLS || mission->places > QTR_MAX_PLACES || mission->seekers > QTR_MAX_SEEKERS)
+    return QTR_ERR_LIMIT;
+  if (cells == 0) return QTR_ERR_ARGUMENT;
+  if (mission->seekers == 0) return QTR_ERR_NO_START;
+  return mission->places == 0 ? QTR_ERR_NO_PLACE : QTR_OK;
+}
+
+static int check_aim(const qtr_mission *mission) {
+  if (mission->objective > QTR_TIME || mission->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
+  return mission->gamma > 0.0 && mission->gamma < 1.0 ? QTR_OK : QTR_ERR_ARGUMENT;
+}
+
+static bool is_free(const qtr_mission *mission, qtr_cell cell) {
+  return cell < (uint32_t)mission->columns * mission->rows && mission->cost[cell] > 0;
+}
+
+static int check_place(const qtr_mission *mission, int place) {
+  if (!is_free(mission, mission->place[place])) return QTR_ERR_PLACE;
+  for (int before = 0; before < place; before++)
+    if (mission->place[before] == mission->place[place]) return QTR_ERR_PLACE;
+  const double weight = mission->weight[place];
+  return weight > 0.0 && weight <= DBL_MAX / QTR_MAX_PLACES ? QTR_OK : QTR_ERR_WEIGHT;
+}
+
+int qtr_mission_check(const qtr_mission *mission, int *culprit) {
+  int nobody;
+  int *const at = culprit != NULL ? culprit : &nobody;
+  *at = 0;
+  int status = check_dimensions(mission);
+  if (status == QTR_OK) status = check_aim(mission);
+  if (status != QTR_OK) return status;
+  for (*at = 0; *at < mission->seekers; ++*at)
+    if (!is_free(mission, mission->start[*at])) return QTR_ERR_START;
+  for (*at = 0; *at < mission->places; ++*at) {
+    status = check_place(mission, *at);
+    if (status != QTR_OK) return status;
+  }
+  *at = 0;
+  return QTR_OK;
+}

@@ -1,0 +1,145 @@
+#include "quarter/qtable.h"
+
+#include <string.h>
+
+#define TAG_BITS 2
+#define TAG_MASK 0xC0000000u /* top bits of a stored key's last word: 0 = free slot, else when it was placed */
+#define TAG_FIRST 0x40000000u
+#define TAG_OTHER 0x80000000u
+#define FIRST_SLOTS 1024u
+#define ENTRY_WORDS_MAX (QTR_KEY_WORDS + 2)
+
+/* A stored key and its value, as they lie in a slot. */
+typedef struct {
+  uint32_t word[ENTRY_WORDS_MAX];
+} entry;
+
+static unsigned stored_words(const qtr_qtable *table) {
+  return table->entry_words - 1u;
+}
+
+static uint32_t slot_tag(const qtr_qtable *table, const uint32_t *slot) {
+  return slot[stored_words(table) - 1] & TAG_MASK;
+}
+
+static uint32_t *slot_at(qtr_qtable *table, uint32_t slot) {
+  return table->word + (size_t)slot * table->entry_words;
+}
+
+static const uint32_t *slot_read(const qtr_qtable *table, uint32_t slot) {
+  return table->word + (size_t)slot * table->entry_words;
+}
+
+static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key, float value) {
+  memcpy(made->word, key->word, table->key_words * sizeof(uint32_t));
+  if (stored_words(table) > table->key_words) made->word[table->key_words] = 0;
+  made->word[stored_words(table) - 1] |= table->tag;
+  memcpy(&made->word[stored_words(table)], &value, sizeof value);
+}
+
+/* Murmur3's mixing, on the key without its tag. */
+static uint32_t hash_entry(const qtr_qtable *table, const entry *hashed) {
+  uint32_t hash = 0x9E3779B9u;
+  for (unsigned w = 0; w < stored_words(table); w++) {
+    uint32_t k = hashed->word[w];
+    if (w + 1 == stored_words(table)) k &= ~TAG_MASK;
+    k *= 0xCC9E2D51u;
+    k = k << 15 | k >> 17;
+    hash ^= k * 0x1B873593u;
+    hash = (hash << 13 | hash >> 19) * 5u + 0xE6546B64u;
+  }
+  hash = (hash ^ hash >> 16) * 0x85EBCA6Bu;
+  hash = (hash ^ hash >> 13) * 0xC2B2AE35u;
+  return hash ^ hash >> 16;
+}
+
+static uint32_t home_slot(const qtr_qtable *table, const entry *homed) {
+  return (uint32_t)((uint64_t)hash_entry(table, homed) * table->slots >> 32);
+}
+
+static uint32_t after(const qtr_qtable *table, uint32_t slot) {
+  return slot + 1 < table->slots ? slot + 1 : 0;
+}
+
+void qtr_qtable_init(qtr_qtable *table, const qtr_board *board) {
+  table->key_words = board->key_words;
+  table->entry_words = (uint8_t)((board->key_bits + TAG_BITS + 31) / 32 + 1);
+  table->entries = 0;
+  table->refused = 0;
+  table->slots_limit = (uint32_t)(QTR_QTABLE_WORDS / table->entry_words);
+  table->slots = table->slots_limit < FIRST_SLOTS ? table->slots_limit : FIRST_SLOTS;
+  table->tag = TAG_FIRST;
+  memset(table->word, 0, (size_t)table->slots * table->entry_words * sizeof(uint32_t));
+}
+
+uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table) {
+  return table->entry_words * (uint32_t)sizeof(uint32_t);
+}
+
+/* The slot of an entry with this key, or the free slot where it belongs. One slot is always free. */
+static uint32_t find_slot(const qtr_qtable *table, const entry *sought) {
+  const size_t bytes = stored_words(table) * sizeof(uint32_t);
+  uint32_t slot = home_slot(table, sought);
+  while (slot_tag(table, slot_read(table, slot)) != 0 && memcmp(slot_read(table, slot), sought->word, bytes) != 0)
+    slot = after(table, slot);
+  return slot;
+}
+
+/* Put an entry in the first slot from its home that holds none already moved. What lay there is taken out: true. */
+static bool place_entry(qtr_qtable *table, entry *moved) {
+  const size_t bytes = table->entry_words * sizeof(uint32_t);
+  entry out;
+  uint32_t slot = home_slot(table, moved);
+  while (slot_tag(table, slot_read(table, slot)) == table->tag) slot = after(table, slot);
+  memcpy(out.word, slot_read(table, slot), bytes);
+  moved->word[stored_words(table) - 1] = (moved->word[stored_words(table) - 1] & ~TAG_MASK) | table->tag;
+  memcpy(slot_at(table, slot), moved->word, bytes);
+  *moved = out;
+  return slot_tag(table, out.word) != 0;
+}
+
+/* Twice the slots, in place: entries are moved one by one to where they belong now, each taking the next one out that
+ * lies in its way; the tag tells which have been moved. */
+static void grow(qtr_qtable *table) {
+  const uint32_t before = table->slots;
+  table->slots = before <= table->slots_limit / 2 ? before * 2 : table->slots_limit;
+  table->tag = table->tag == TAG_FIRST ? TAG_OTHER : TAG_FIRST;
+  memset(slot_at(table, before), 0, (size_t)(table->slots - before) * table->entry_words * sizeof(uint32_t));
+  for (uint32_t slot = 0; slot < before; slot++) {
+    const uint32_t tag = slot_tag(table, slot_read(table, slot));
+    if (tag == 0 || tag == table->tag) continue;
+    entry moved;
+    memcpy(moved.word, slot_read(table, slot), table->entry_words * sizeof(uint32_t));
+    slot_at(table, slot)[stored_words(table) - 1] = 0;
+    while (place_entry(table, &moved)) {}
+  }
+}
+
+bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, float *value) {
+  entry sought;
+  make_entry(table, &sought, key, 0.0f);
+  const uint32_t *slot = slot_read(table, find_slot(table, &sought));
+  if (slot_tag(table, slot) == 0) return false;
+  memcpy(value, &slot[stored_words(table)], sizeof *value);
+  return true;
+}
+
+bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, float value) {
+  entry made;
+  make_entry(table, &made, key, value);
+  uint32_t slot = find_slot(table, &made);
+  if (slot_tag(table, slot_read(table, slot)) == 0) {
+    if (table->entries >= table->slots / 8 * 7 && table->slots < table->slots_limit) {
+      grow(table);
+      make_entry(table, &made, key, value);
+      slot = find_slot(table, &made);
+    }
+    if (table->entries + 1 >= table->slots - table->slots / 16) {
+      table->refused++;
+      return false;
+    }
+    table->entries++;
+  }
+  memcpy(slot_at(table, slot), made.word, table->entry_words * sizeof(uint32_t));
+  return true;
+}

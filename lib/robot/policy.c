@@ -1,0 +1,209 @@
+#include "quarter/policy.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "bytes.h"
+#include "crc.h"
+#include "quarter/status.h"
+
+static const uint8_t magic[4] = {'Q', 'T', 'R', 'P'};
+
+static uint32_t record_bytes(const qtr_policy *policy) {
+  return 4u * policy->board.key_words + 4u;
+}
+
+/* ---- opening ---- */
+
+static int check_frame(const uint8_t *bytes, uint32_t size) {
+  if (size < sizeof magic) return QTR_ERR_TRUNCATED;
+  if (memcmp(bytes, magic, sizeof magic) != 0) return QTR_ERR_MAGIC;
+  if (size < QTR_POLICY_HEADER_BYTES) return QTR_ERR_TRUNCATED;
+  if (load16_le(bytes + QTR_POLICY_VERSION) != QTR_POLICY_FORMAT) return QTR_ERR_FORMAT;
+  if (load16_le(bytes + QTR_POLICY_HEADER) != QTR_POLICY_HEADER_BYTES) return QTR_ERR_CORRUPT;
+  const uint32_t whole = load32_le(bytes + QTR_POLICY_SIZE);
+  if (whole > size) return QTR_ERR_TRUNCATED;
+  if (whole != size) return QTR_ERR_CORRUPT;
+  const uint32_t crc = crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS);
+  return crc == load32_le(bytes + QTR_POLICY_CRC) ? QTR_OK : QTR_ERR_CHECKSUM;
+}
+
+static int read_dimensions(qtr_policy *policy) {
+  const uint8_t *bytes = policy->bytes;
+  policy->grid.columns = (uint16_t)load16_le(bytes + QTR_POLICY_COLUMNS);
+  policy->grid.rows = (uint16_t)load16_le(bytes + QTR_POLICY_ROWS);
+  policy->grid.encoding = bytes[QTR_POLICY_GRID];
+  policy->board.places = (uint16_t)load16_le(bytes + QTR_POLICY_PLACES);
+  policy->board.seekers = bytes[QTR_POLICY_SEEKERS];
+  policy->board.starts = bytes[QTR_POLICY_STARTS];
+  policy->board.rule = bytes[QTR_POLICY_RULE];
+  policy->records = load32_le(bytes + QTR_POLICY_RECORDS);
+  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  if (cells == 0 || policy->board.places == 0 || policy->board.seekers == 0) return QTR_ERR_CORRUPT;
+  if (policy->board.starts == 0 || policy->board.starts > policy->board.seekers) return QTR_ERR_CORRUPT;
+  if (policy->grid.encoding > QTR_GRID_BYTES) return QTR_ERR_CORRUPT;
+  if (cells > QTR_MAX_CELLS || policy->board.places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
+  return policy->board.seekers > QTR_MAX_SEEKERS ? QTR_ERR_LIMIT : QTR_OK;
+}
+
+/* Find the sections, whose sizes follow from the dimensions alone: there is no offset in the file to be wrong. */
+static int find_sections(qtr_policy *policy, uint32_t size) {
+  qtr_board *board = &policy->board;
+  const uint32_t nodes = (uint32_t)board->places + board->starts;
+  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  const uint64_t travel = 4u * (uint64_t)nodes * board->places;
+  const uint64_t seats = (board->seekers + 3u) / 4u * 4u;
+  const uint64_t fixed = QTR_POLICY_HEADER_BYTES + seats + 4u * (uint64_t)nodes + 4u * (uint64_t)board->places + travel +
+                         qtr_grid_size(cells, policy->grid.encoding);
+  if (fixed > size) return QTR_ERR_CORRUPT;
+  const uint8_t *at = policy->bytes + QTR_POLICY_HEADER_BYTES;
+  memcpy(board->start_of, at, board->seekers);
+  policy->cells = at + seats;
+  policy->weights = policy->cells + 4u * nodes;
+  board->steps = policy->weights + 4u * board->places;
+  policy->record = board->steps + travel;
+  if (qtr_board_init(board) != QTR_OK) return QTR_ERR_CORRUPT;
+  if (board->key_words != policy->bytes[QTR_POLICY_KEY_WORDS]) return QTR_ERR_SELFTEST;
+  const uint64_t records = (uint64_t)policy->records * record_bytes(policy);
+  policy->grid.cells = policy->record + records;
+  return fixed + records == size ? QTR_OK : QTR_ERR_CORRUPT;
+}
+
+static int check_nodes(const qtr_policy *policy) {
+  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  for (uint32_t node = 0; node < (uint32_t)policy->board.places + policy->board.starts; node++) {
+    const uint32_t cell = load32_le(policy->cells + 4 * node);
+    if (cell >= cells || qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) return QTR_ERR_CORRUPT;
+  }
+  for (unsigned place = 0; place < policy->board.places; place++)
+    if (qtr_policy_weight(policy, place) == 0) return QTR_ERR_CORRUPT;
+  return QTR_OK;
+}
+
+static int compare_keys(const uint8_t *record, const uint32_t *word, unsigned words) {
+  for (unsigned w = words; w-- > 0;) {
+    const uint32_t stored = load32_le(record + 4 * w);
+    if (stored != word[w]) return stored < word[w] ? -1 : 1;
+  }
+  return 0;
+}
+
+static int check_records(const qtr_policy *policy) {
+  qtr_key key;
+  for (uint32_t r = 0; r < policy->records; r++) {
+    const uint8_t *record = policy->record + r * record_bytes(policy);
+    if (r > 0 && compare_keys(record, key.word, policy->board.key_words) <= 0) return QTR_ERR_CORRUPT;
+    for (unsigned w = 0; w < policy->board.key_words; w++) key.word[w] = load32_le(record + 4 * w);
+    const uint32_t choice = load16_le(record + 4 * policy->board.key_words);
+    if (choice >= policy->board.places && choice != QTR_STAND_DOWN) return QTR_ERR_CORRUPT;
+  }
+  return QTR_OK;
+}
+
+int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  policy->bytes = bytes;
+  int status = check_frame(bytes, size);
+  if (status == QTR_OK) status = read_dimensions(policy);
+  if (status == QTR_OK) status = find_sections(policy, size);
+  if (status == QTR_OK) status = check_nodes(policy);
+  if (status == QTR_OK) status = check_records(policy);
+  if (status == QTR_OK && qtr_policy_digest(policy) != load32_le(policy->bytes + QTR_POLICY_DIGEST))
+    status = QTR_ERR_SELFTEST;
+  return status;
+}
+
+/* ---- reading ---- */
+
+qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
+  return (qtr_cell)load32_le(policy->cells + 4 * node);
+}
+
+uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place) {
+  return load32_le(policy->weights + 4 * place);
+}
+
+bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice) {
+  qtr_key key;
+  qtr_joint_key(&key, joint, &policy->board);
+  uint32_t low = 0;
+  uint32_t high = policy->records;
+  while (low < high) {
+    const uint32_t middle = low + (high - low) / 2;
+    const uint8_t *record = policy->record + middle * record_bytes(policy);
+    const int order = compare_keys(record, key.word, policy->board.key_words);
+    if (order == 0) {
+      *choice = (uint16_t)load16_le(record + 4 * policy->board.key_words);
+      return true;
+    }
+    if (order < 0)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return false;
+}
+
+/* weight a / steps a > weight b / steps b, without a division. */
+static uint16_t choose_by_rate(const qtr_policy *policy, unsigned node, const qtr_places *choices) {
+  uint16_t best = QTR_STAND_DOWN;
+  uint64_t best_weight = 0;
+  uint64_t best_steps = 1;
+  for (uint16_t place = 0; place < policy->board.places; place++) {
+    if (!qtr_places_has(choices, place)) continue;
+    const uint64_t weight = qtr_policy_weight(policy, place);
+    const uint64_t steps = qtr_board_steps(&policy->board, node, place);
+    if (best != QTR_STAND_DOWN && weight * best_steps <= best_weight * steps) continue;
+    best = place;
+    best_weight = weight;
+    best_steps = steps;
+  }
+  return best;
+}
+
+uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
+  qtr_places choices;
+  uint16_t choice = QTR_STAND_DOWN;
+  const bool may_stand_down = qtr_joint_choices(joint, &policy->board, seeker, &choices);
+  /* A record that allows no such choice can only be a forged one; it counts as none. */
+  const bool known = qtr_policy_lookup(policy, joint, &choice) &&
+                     (choice == QTR_STAND_DOWN ? may_stand_down : qtr_places_has(&choices, choice));
+  if (off_table != NULL) *off_table = !known;
+  return known ? choice : choose_by_rate(policy, joint->node[seeker], &choices);
+}
+
+uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table) {
+  while (joint->node[seeker] != QTR_STAND_DOWN) {
+    const int chooser = qtr_joint_chooser(joint, &policy->board);
+    if (chooser == QTR_NOBODY) {
+      const qtr_steps passed = qtr_joint_advance(joint, &policy->board, NULL);
+      if (passed == 0) break;
+      if (now != NULL) *now += passed;
+      continue;
+    }
+    bool off = false;
+    const uint16_t choice = qtr_policy_choose(policy, joint, chooser, &off);
+    if (off && off_table != NULL) ++*off_table;
+    qtr_joint_choose(joint, &policy->board, chooser, choice);
+    if (chooser == seeker) return choice;
+  }
+  return QTR_STAND_DOWN;
+}
+
+uint32_t qtr_policy_digest(const qtr_policy *policy) {
+  uint32_t digest = 0;
+  for (uint8_t seeker = 0; seeker < policy->board.seekers; seeker++) {
+    qtr_joint joint;
+    qtr_steps now = 0;
+    uint16_t choice = 0;
+    qtr_joint_start(&joint, &policy->board, NULL);
+    while (choice != QTR_STAND_DOWN) {
+      uint8_t line[8] = {seeker, 0, 0, 0, 0, 0, 0, 0};
+      choice = qtr_policy_play(policy, &joint, seeker, &now, NULL);
+      store16_le(line + 2, choice);
+      store32_le(line + 4, now);
+      digest = crc32_add(digest, line, sizeof line);
+    }
+  }
+  return digest;
+}

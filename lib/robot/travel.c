@@ -1,0 +1,55 @@
+#include "quarter/travel.h"
+
+/* A cell n is entered from any neighbour at the same price, so its neighbours all learn the same travel time, to_go(n)
+ * + cost(n), and the first to tell a cell tells it the least. Each cell therefore waits in the ring once, under that
+ * time, and is never moved. */
+static void wait_in_ring(qtr_field *field, const qtr_grid *grid, qtr_cell cell, qtr_steps to_go) {
+  const unsigned entry = (unsigned)((to_go + qtr_grid_cost(grid, cell)) % QTR_TRAVEL_RING);
+  field->to_go[cell] = to_go;
+  field->link[cell] = field->ring[entry];
+  field->ring[entry] = cell;
+}
+
+static void settle_neighbours(qtr_field *field, const qtr_grid *grid, qtr_cell cell, qtr_steps told) {
+  const qtr_cell columns = grid->columns;
+  const qtr_cell column = (qtr_cell)(cell % columns);
+  const uint32_t cells = (uint32_t)columns * grid->rows;
+  const uint32_t next[4] = {(uint32_t)cell - columns, column + 1u < columns ? cell + 1u : cells,
+                            (uint32_t)cell + columns, column > 0 ? cell - 1u : cells};
+  for (int i = 0; i < 4; i++) {
+    if (next[i] >= cells || field->to_go[next[i]] != QTR_NEVER) continue;
+    if (qtr_grid_cost(grid, (qtr_cell)next[i]) > 0) wait_in_ring(field, grid, (qtr_cell)next[i], told);
+  }
+}
+
+void qtr_field_fill(qtr_field *field, const qtr_grid *grid, qtr_cell target) {
+  const uint32_t cells = (uint32_t)grid->columns * grid->rows;
+  for (uint32_t cell = 0; cell < cells; cell++) field->to_go[cell] = QTR_NEVER;
+  for (int i = 0; i < QTR_TRAVEL_RING; i++) field->ring[i] = QTR_NO_CELL;
+  wait_in_ring(field, grid, target, 0);
+  /* Times rise by at most 255 from cell to cell: a whole turn of empty entries means that all is settled. */
+  unsigned empty = 0;
+  for (qtr_steps now = 0; empty < QTR_TRAVEL_RING; now++) {
+    const unsigned entry = (unsigned)(now % QTR_TRAVEL_RING);
+    empty = field->ring[entry] == QTR_NO_CELL ? empty + 1 : 0;
+    qtr_cell cell = field->ring[entry];
+    field->ring[entry] = QTR_NO_CELL;
+    while (cell != QTR_NO_CELL) {
+      const qtr_cell after = field->link[cell];
+      settle_neighbours(field, grid, cell, now);
+      cell = after;
+    }
+  }
+}
+
+qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell) {
+  const qtr_steps to_go = field->to_go[cell];
+  if (to_go == QTR_NEVER) return QTR_NO_CELL;
+  if (to_go == 0) return cell;
+  for (int direction = QTR_NORTH; direction <= QTR_WEST; direction++) {
+    const qtr_cell next = qtr_grid_neighbour(grid, cell, (enum qtr_direction)direction);
+    if (next == QTR_NO_CELL || field->to_go[next] == QTR_NEVER) continue;
+    if (field->to_go[next] + qtr_grid_cost(grid, next) == to_go) return next;
+  }
+  return QTR_NO_CELL;
+}
