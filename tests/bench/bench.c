@@ -1,0 +1,218 @@
+/* The benchmarks: what the project promises, measured on the machine at hand and printed beside the target. Nothing here
+ * is a test; a slow machine fails nothing. `--clone` also times a fresh clone up to its certified demo policy. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "input.h"
+#include "progress.h"
+#include "quarter/learner.h"
+
+#define MAPS_MOST 100
+
+static qtr_mission mission;
+static qtr_game game;
+static qtr_field field;
+static qtr_learner learner;
+static input reference;
+
+/* ---- measuring ---- */
+
+typedef struct {
+  double seconds, episodes;
+  qtr_certificate certificate;
+} run;
+
+/* Learn a mission to its certificate, elemental tasks included. */
+static run learn(const qtr_mission *learnt, double limit) {
+  const double begin = clock_seconds();
+  qtr_learner_config config;
+  run r;
+  qtr_learner_config_default(&config);
+  qtr_game_init(&game, learnt, &field, NULL);
+  qtr_learner_init(&learner, &game, &config);
+  while (qtr_learner_step(&learner) == QTR_LEARNING && clock_seconds() - begin < limit) {}
+  qtr_learner_certificate(&learner, &r.certificate);
+  r.seconds = clock_seconds() - begin;
+  r.episodes = (double)r.certificate.episodes;
+  return r;
+}
+
+static int compare(const void *a, const void *b) {
+  const double x = *(const double *)a;
+  const double y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static double median(double *values, int count) {
+  qsort(values, (size_t)count, sizeof *values, compare);
+  return count % 2 == 1 ? values[count / 2] : 0.5 * (values[count / 2 - 1] + values[count / 2]);
+}
+
+/* ---- random maps ---- */
+
+static unsigned long long state;
+
+static unsigned draw(unsigned below) {
+  state = state * 6364136223846793005ull + 1442695040888963407ull;
+  return (unsigned)(state >> 33) % below;
+}
+
+static bool is_taken(qtr_cell cell) {
+  for (int p = 0; p < mission.places; p++)
+    if (mission.place[p] == cell) return true;
+  return mission.cost[cell] == 0 || cell == 0;
+}
+
+/* One map: a fifth of the cells blocked, all seekers in a corner, one place in three of three times the weight. Maps with
+ * a place that cannot be reached are drawn again. */
+static void make_map(unsigned seed, int side, int places, int seekers, int objective) {
+  state = seed * 0x9E3779B97F4A7C15ull;
+  do {
+    qtr_mission_default(&mission);
+    mission.columns = mission.rows = (uint16_t)side;
+    mission.objective = (uint8_t)objective;
+    mission.seekers = (uint8_t)seekers;
+    for (int cell = 0; cell < side * side; cell++) mission.cost[cell] = draw(100) >= 20;
+    mission.cost[0] = 1;
+    while (mission.places < places) {
+      const qtr_cell cell = draw((unsigned)(side * side));
+      if (is_taken(cell)) continue;
+      mission.place[mission.places] = cell;
+      mission.weight[mission.places++] = draw(3) == 0 ? 3.0 : 1.0;
+    }
+  } while (qtr_game_init(&game, &mission, &field, NULL) != QTR_OK);
+}
+
+static void bench_random(int side, int places, int seekers, int maps, double limit, const char *target) {
+  for (int objective = QTR_DISCOUNTED; objective <= QTR_TIME; objective++) {
+    double seconds[MAPS_MOST], episodes[MAPS_MOST], gap[MAPS_MOST];
+    int certified = 0;
+    unsigned entry_bytes = 0;
+    for (int map = 0; map < maps; map++) {
+      make_map((unsigned)map + 1, side, places, seekers, objective);
+      const run r = learn(&mission, limit);
+      seconds[map] = r.seconds;
+      episodes[map] = r.episodes;
+      gap[map] = r.certificate.gap;
+      certified += r.certificate.certified;
+      const unsigned bytes = qtr_qtable_entry_bytes(&learner.table);
+      entry_bytes = bytes > entry_bytes ? bytes : entry_bytes;
+    }
+    printf("%2dx%2d, %2d places, %d seekers, %-10s  %3d/%d certified  median %.4f s, %.0f episodes, gap %.1e; %u bytes an entry%s\n",
+           side, side, places, seekers, objective == QTR_TIME ? "time" : "discounted", certified, maps,
+           median(seconds, maps), median(episodes, maps), median(gap, maps), entry_bytes, target);
+  }
+}
+
+/* ---- the reference ---- */
+
+static double learn_reference(const char *path, int robots, int objective, double *found) {
+  const input_options options = {0.0, robots};
+  fault why;
+  if (input_read(&reference, path, &options, &why) != 0) {
+    fprintf(stderr, "%s\n", why.text);
+    exit(1);
+  }
+  reference.mission.objective = (uint8_t)objective;
+  const run r = learn(&reference.mission, 60.0);
+  *found = r.certificate.certified ? r.certificate.objective : -1.0;
+  return r.seconds;
+}
+
+static bool agrees(double found, double exact) {
+  return found > exact * (1.0 - 1e-5) && found < exact * (1.0 + 1e-5);
+}
+
+static void bench_reference(void) {
+  char line[256];
+  int cases = 0, agreeing = 0;
+  double seconds = 0.0;
+  FILE *values = fopen(QUARTER_SOURCE_DIR "/tests/data/reference/values.txt", "r");
+  while (values != NULL && fgets(line, sizeof line, values) != NULL) {
+    char name[64], path[512];
+    int robots;
+    double value, time, found_value, found_time;
+    if (sscanf(line, "%63s %*d places %*d robots %d value %lf expected_time %lf", name, &robots, &value, &time) != 4)
+      continue;
+    snprintf(path, sizeof path, QUARTER_SOURCE_DIR "/tests/data/reference/%s", name);
+    seconds += learn_reference(path, robots, QTR_DISCOUNTED, &found_value);
+    seconds += learn_reference(path, robots, QTR_TIME, &found_time);
+    cases++;
+    agreeing += agrees(found_value, value) && agrees(found_time, time);
+  }
+  if (values != NULL) fclose(values);
+  printf("reference cases, both objectives: %d of %d certified and equal within 1e-5, %.2f s together (target: 15 of 15, under 10 s)\n",
+         agreeing, cases, seconds);
+}
+
+/* ---- sizes ---- */
+
+static void bench_entry(int side, int places, int seekers, const char *target) {
+  make_map(1, side, places, seekers, QTR_DISCOUNTED);
+  qtr_qtable_init(&learner.table, &game.board);
+  printf("a Q entry of %2d places, %d seekers on %dx%d cells: %u bytes %s\n", places, seekers, side, side,
+         qtr_qtable_entry_bytes(&learner.table), target);
+}
+
+/* ---- large maps: in a process of its own, whose memory is then its own ---- */
+
+static void travel_large(void) {
+  make_map(1, 4, 1, 1, QTR_DISCOUNTED);
+  const int side = 1024;
+  state = 7;
+  qtr_mission_default(&mission);
+  mission.columns = mission.rows = (uint16_t)side;
+  mission.seekers = 4;
+  for (int cell = 0; cell < side * side; cell++) mission.cost[cell] = draw(100) >= 20;
+  mission.cost[0] = 1;
+  while (mission.places < 64) {
+    const qtr_cell cell = draw((unsigned)(side * side));
+    if (is_taken(cell)) continue;
+    mission.place[mission.places] = cell;
+    mission.weight[mission.places++] = 1.0;
+  }
+  const double begin = clock_seconds();
+  qtr_game_init(&game, &mission, &field, NULL);
+  const double seconds = clock_seconds() - begin;
+  struct rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  printf("1024x1024 map, 64 places, all travel times: %.2f s, %ld MB (target: under 3 s, 200 MB)\n", seconds,
+         usage.ru_maxrss / 1024);
+}
+
+static void bench_large(void) {
+  fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    travel_large();
+    fflush(stdout);
+    _exit(0);
+  }
+  if (child > 0) waitpid(child, NULL, 0);
+}
+
+static void bench_clone(void) {
+  fflush(stdout);
+  if (system("bash " QUARTER_SOURCE_DIR "/tests/bench/clone.sh " QUARTER_SOURCE_DIR) != 0)
+    printf("clone to certified policy: failed\n");
+}
+
+int main(int argc, char **argv) {
+  bench_large();
+  bench_reference();
+  bench_random(30, 12, 2, 50, 60.0, "  (target: 0.05 s)");
+  bench_random(30, 16, 2, 50, 60.0, "  (target: 0.15 s)");
+  bench_random(30, 20, 2, 50, 60.0, "  (target: 0.3 s)");
+  bench_random(10, 8, 2, 100, 60.0, "  (target: at most 30 episodes; paper: 30,000)");
+  bench_random(30, 26, 2, 10, 10.0, "  (beyond the targets)");
+  bench_random(30, 26, 3, 10, 10.0, "  (beyond the targets)");
+  bench_entry(30, 20, 2, "(target, host: at most 24)");
+  bench_entry(40, 60, 8, "(target, host: at most 24)");
+  bench_entry(32, 16, 4, "(target, mcu: at most 16)");
+  if (argc > 1 && strcmp(argv[1], "--clone") == 0) bench_clone();
+  return 0;
+}

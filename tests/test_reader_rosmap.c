@@ -1,0 +1,256 @@
+#include "reader/rosmap.h"
+#include "reader_scratch.h"
+
+#define YAML(more) "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n" more
+#define MISSION(more) "map: m.yaml\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 0}]\n" more
+
+static rosmap_header header;
+
+void setUp(void) {
+  scratch_open();
+  header = (rosmap_header){.occupied = 0.6, .free = 0.2, .mode = ROSMAP_TRINARY};
+}
+
+void tearDown(void) {
+  scratch_close();
+}
+
+static void write_map(const char *yaml, const char *pgm, const char *mission) {
+  scratch_write("m.yaml", yaml);
+  scratch_write("m.pgm", pgm);
+  scratch_write("mission.yaml", mission);
+}
+
+static void expect_classes(int maximum, const int *samples, const char *wanted) {
+  for (int i = 0; wanted[i] != '\0'; i++) {
+    char kind = "fo?"[rosmap_classify(&header, samples[i], maximum)], message[40];
+    snprintf(message, sizeof message, "sample %d", samples[i]);
+    TEST_ASSERT_EQUAL_CHAR_MESSAGE(wanted[i], kind, message);
+  }
+}
+
+static void test_trinary_thresholds_are_strict(void) {
+  /* p = (255 - v) / 255: 102 is 0.6 and 204 is 0.2 exactly, so both are unknown. */
+  expect_classes(255, (const int[]){0, 101, 102, 103, 203, 204, 205, 255}, "oo????ff");
+}
+
+static void test_negate_turns_the_greys_round(void) {
+  header.negate = true;
+  expect_classes(255, (const int[]){255, 154, 153, 152, 52, 51, 50, 0}, "oo????ff");
+}
+
+static void test_other_maxima_scale(void) {
+  expect_classes(10, (const int[]){0, 3, 4, 5, 7, 8, 9, 10}, "oo????ff");
+  expect_classes(65535, (const int[]){0, 26213, 26214, 26215, 52427, 52428, 52429, 65535}, "oo????ff");
+  expect_classes(1, (const int[]){0, 1}, "of");
+}
+
+static void test_map_savers_own_greys(void) {
+  header.occupied = 0.65;
+  header.free = 0.196;
+  expect_classes(255, (const int[]){0, 205, 254, 255}, "o?ff");
+  header.free = 0.25; /* nav2's saver: 205 would be free; hence its saver writes what it writes */
+  expect_classes(255, (const int[]){0, 205, 254}, "off");
+}
+
+static void test_scale_counts_all_but_nothing_as_occupied(void) {
+  header.mode = ROSMAP_SCALE;
+  /* On 1000 greys, 0.2 to 0.6 is 0 to 100: 2 greys are half a percent. */
+  expect_classes(1000, (const int[]){0, 400, 500, 798, 799, 800, 801, 1000},
+                 "oooofff"
+                 "f");
+  expect_classes(255, (const int[]){0, 102, 150, 203, 204, 205, 255}, "oooofff");
+}
+
+static void test_raw_takes_the_greys_as_percent(void) {
+  header.mode = ROSMAP_RAW;
+  header.negate = true;
+  expect_classes(255, (const int[]){0, 1, 50, 100, 101, 205, 255}, "fooo???");
+  expect_classes(65535, (const int[]){0, 128, 129, 25700, 25828, 25829, 65535}, "ffooo??");
+}
+
+static void test_rows_columns_and_the_frame(void) {
+  /* Free, occupied | unknown, free. */
+  write_map(YAML("negate: 0\n"), "P2 2 2 255\n255 0\n204 255\n",
+            "map: m.yaml\nrobots: [{x: -0.6, y: 2.9}]\nplaces: [{x: -0.1, y: 2.1}]\n");
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1#|#1|");
+  TEST_ASSERT_EQUAL_INT(0, scratch_input.mission.start[0]);
+  TEST_ASSERT_EQUAL_INT(3, scratch_input.mission.place[0]);
+  TEST_ASSERT_TRUE(scratch_input.frame.metric);
+  TEST_ASSERT_EQUAL_DOUBLE(0.5, scratch_input.frame.cell_size);
+  TEST_ASSERT_EQUAL_DOUBLE(-1.0, scratch_input.frame.origin_x);
+  TEST_ASSERT_EQUAL_DOUBLE(2.0, scratch_input.frame.origin_y);
+  double x, y;
+  input_cell_centre(&scratch_input, 3, &x, &y);
+  TEST_ASSERT_EQUAL_DOUBLE(-0.25, x);
+  TEST_ASSERT_EQUAL_DOUBLE(2.25, y);
+}
+
+static void test_unknown_is_blocked_unless_free_is_asked_for(void) {
+  const char *pgm = "P2 3 2 255\n255 255 204\n255 0 255\n";
+  write_map(YAML("negate: 0\n"), pgm, MISSION(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("11#|1#1|");
+  write_map(YAML("negate: 0\n"), pgm, MISSION("unknown: blocked\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("11#|1#1|");
+  write_map(YAML("negate: false\n"), pgm, MISSION("unknown: free\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("111|1#1|");
+}
+
+static void test_negate_and_mode_are_read(void) {
+  write_map(YAML("negate: 1\nmode: Trinary\n"), "P2 3 1 255\n0 0 255\n", MISSION(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("11#|");
+  write_map(YAML("negate: true\nmode: raw\n"), "P2 3 1 255\n0 0 1\n", MISSION(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("11#|");
+  write_map(YAML("negate: 0\nmode: scale\n"), "P2 4 1 255\n255 255 150 255\n", MISSION("unknown: free\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("11#1|");
+}
+
+static void test_obstacles_grow_by_the_radius(void) {
+  write_map(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 0\n", MISSION("robot_radius: 0.75\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("111###|");
+  TEST_ASSERT_EQUAL_DOUBLE(0.75, scratch_input.robot_radius);
+  /* The unknown grows too, unless it is free. */
+  write_map(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 204\n", MISSION("robot_radius: 0.75\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("111###|");
+  write_map(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 204\n",
+            MISSION("robot_radius: 0.75\nunknown: free\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("111111|");
+}
+
+static void test_growth_comes_before_coarsening(void) {
+  write_map(YAML("negate: 0\n"), "P2 8 2 255\n255 255 255 255 255 255 0 255\n255 255 255 255 255 255 255 255\n",
+            MISSION("robot_radius: 0.25\ncell_size: 1\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("11##|");
+  TEST_ASSERT_EQUAL_DOUBLE(1.0, scratch_input.frame.cell_size);
+}
+
+static void test_cell_size_of_the_command_line_wins(void) {
+  write_map(YAML("negate: 0\n"), "P2 6 2 255\n255 255 255 255 0 255\n255 255 255 255 255 255\n",
+            MISSION("cell_size: 1\n"));
+  scratch_options.cell_size = 0.5;
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1111#1|111111|");
+}
+
+static void test_other_tools_keys_are_ignored(void) {
+  write_map(YAML("negate: 0\nfloor: ground\ncost: [1, 2]\n"), "P2 2 1 255\n255 255\n", MISSION(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("11|");
+}
+
+static void test_a_map_alone_is_refused_with_how_to_write_a_mission(void) {
+  write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", "");
+  scratch_refuse("m.yaml", "m.yaml", "without robots and places", "map: m.yaml");
+  scratch_write("m.pgm", "P2 2 1 255\n255");
+  scratch_refuse("m.yaml", "m.pgm", "is cut off", "copy the file anew");
+  scratch_refuse("m.pgm", "m.pgm", "an image, which has no scale", "mission YAML");
+}
+
+/* A map YAML that lacks or spoils one line. */
+static void refuse_yaml(const char *yaml, const char *where, const char *what, const char *mend) {
+  write_map(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
+  scratch_refuse("mission.yaml", where, what, mend);
+}
+
+static void test_missing_keys(void) {
+  refuse_yaml("resolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "m.yaml:1",
+              "lacks the key 'image'", "image: map.pgm");
+  refuse_yaml("image: m.pgm\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "m.yaml:1",
+              "lacks the key 'resolution'", "resolution: 0.05");
+  refuse_yaml("image: m.pgm\nresolution: 1\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "m.yaml:1",
+              "lacks the key 'origin'", "origin: [0, 0, 0]");
+  refuse_yaml("image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\nfree_thresh: 0.2\n", "m.yaml:1",
+              "lacks the key 'occupied_thresh'", "0.65");
+  refuse_yaml("image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\n", "m.yaml:1",
+              "lacks the key 'free_thresh'", "0.196");
+  refuse_yaml(YAML(""), "m.yaml:1", "lacks the key 'negate'", "negate: 0");
+}
+
+static void test_mistyped_keys(void) {
+  refuse_yaml(YAML("negate: 0\nmoed: raw\n"), "m.yaml:7", "unknown key 'moed'", "did you mean 'mode'?");
+  refuse_yaml(YAML("negate: 0\nnegate: 1\n"), "m.yaml:7",
+              "key 'negate' of the ROS map is there twice (first in line 6)", "keep one");
+  refuse_yaml(YAML("Negate: 0\n"), "m.yaml:6", "unknown key 'Negate'", "did you mean 'negate'?");
+}
+
+static void test_wrong_values(void) {
+  refuse_yaml(YAML("negate: maybe\n"), "m.yaml:6", "'negate' is \"maybe\"", "one of 0, 1, false and true");
+  refuse_yaml(YAML("negate: 0\nmode: rough\n"), "m.yaml:7", "'mode' is \"rough\"", "trinary, scale and raw");
+  const char *rest = "negate: 0\nimage: m.pgm\n";
+  const char *const wrong[][3] = {
+      {"resolution: fine\norigin: [0, 0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "'resolution' is \"fine\"",
+       "number"},
+      {"resolution: 0\norigin: [0, 0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "'resolution' is 0 metres",
+       "1e-6"},
+      {"resolution: .inf\norigin: [0, 0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "not a finite number",
+       "number"},
+      {"resolution: 1\norigin: [0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
+       "'origin' is not a list of x, y and yaw", "origin:"},
+      {"resolution: 1\norigin: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "'origin' is not a list", "origin:"},
+      {"resolution: 1\norigin: [0, 0, 1.57]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "yaw of 1.57", "set yaw to 0"},
+      {"resolution: 1\norigin: [0, .nan, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "origin's y", "number"},
+      {"resolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 65\nfree_thresh: 0.2\n", "'occupied_thresh' is 65",
+       "0 to 1"},
+      {"resolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 0.2\nfree_thresh: 0.6\n", "above 'occupied_thresh'", "swap"},
+      {"resolution: 1\norigin: [0, 0, 0]\noccupied_thresh:\nfree_thresh: 0.6\n", "'occupied_thresh' has no value",
+       "number"}};
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    char yaml[300];
+    snprintf(yaml, sizeof yaml, "%s%s", wrong[i][0], rest);
+    write_map(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
+    TEST_ASSERT_EQUAL_INT(-1,
+                          input_read(&scratch_input, scratch_path("mission.yaml"), &scratch_options, &scratch_fault));
+    scratch_expect_text("/m.yaml:");
+    scratch_expect_text(wrong[i][1]);
+    scratch_expect_text(wrong[i][2]);
+  }
+}
+
+static void test_faults_of_the_image(void) {
+  refuse_yaml("image: other.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
+              "other.pgm", "no such file", "m.yaml:1)");
+  write_map(YAML("negate: 0\n"), "GIF89a", MISSION(""));
+  scratch_refuse("mission.yaml", "m.pgm", "not a PGM", "convert");
+}
+
+static void test_more_cells_than_the_build_holds(void) {
+  write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 0.0005\n"));
+  scratch_refuse("mission.yaml", "m.yaml", "2000 x 1000 cells are more than 1048576", "QTR_MAX_CELLS");
+  write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 1e-300\n"));
+  scratch_refuse("mission.yaml", "m.yaml", "cells: at most 65535", "larger cells");
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_trinary_thresholds_are_strict);
+  RUN_TEST(test_negate_turns_the_greys_round);
+  RUN_TEST(test_other_maxima_scale);
+  RUN_TEST(test_map_savers_own_greys);
+  RUN_TEST(test_scale_counts_all_but_nothing_as_occupied);
+  RUN_TEST(test_raw_takes_the_greys_as_percent);
+  RUN_TEST(test_rows_columns_and_the_frame);
+  RUN_TEST(test_unknown_is_blocked_unless_free_is_asked_for);
+  RUN_TEST(test_negate_and_mode_are_read);
+  RUN_TEST(test_obstacles_grow_by_the_radius);
+  RUN_TEST(test_growth_comes_before_coarsening);
+  RUN_TEST(test_cell_size_of_the_command_line_wins);
+  RUN_TEST(test_other_tools_keys_are_ignored);
+  RUN_TEST(test_a_map_alone_is_refused_with_how_to_write_a_mission);
+  RUN_TEST(test_missing_keys);
+  RUN_TEST(test_mistyped_keys);
+  RUN_TEST(test_wrong_values);
+  RUN_TEST(test_faults_of_the_image);
+  RUN_TEST(test_more_cells_than_the_build_holds);
+  return UNITY_END();
+}

@@ -1,0 +1,86 @@
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands.h"
+#include "exact.h"
+#include "outfile.h"
+#include "progress.h"
+#include "report.h"
+
+static const char help[] =
+    "quarter exact minefield.txt --robots 2             the exact optimum, to check a certificate against\n"
+    "quarter exact mission.yaml --objective time --json\n"
+    "\n"
+    "Dynamic programming over the subsets of the places, with transitions of its own: it shares nothing with the learner\n"
+    "but the grid and the travel times. Up to 22 places for one or two robots, 18 for more.\n"
+    "\n"
+    "      --robots K           K robots, where the input has one start\n"
+    "      --objective WHAT     discounted (maximise w P gamma^(t-1), the default) or time (least expected time)\n"
+    "      --gamma G            discount a step, above 0 and below 1 (default 0.99)\n"
+    "      --rule RULE          free (robots may stand down, the default) or paper (Table 1: they must choose)\n"
+    "      --cell-size M        metres a cell, for ROS maps\n"
+    "      --skip-unreachable   leave out places that no robot can reach\n"
+    "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
+    "  -q, --quiet              no report but JSON\n"
+    "\n"
+    "Exit status: 0 done; 2 bad input, or more places than this takes.\n";
+
+static const option_set set = {"exact", " json quiet robots objective rule gamma cell-size skip-unreachable "};
+
+static problem solved;
+
+/* Travel times from each seeker's start and each place to each place, found anew: none of the game's are used. */
+static qtr_steps *measure(problem *p) {
+  const qtr_mission *mission = &p->in.mission;
+  const qtr_grid grid = qtr_mission_grid(mission);
+  const unsigned places = mission->places;
+  const unsigned seekers = mission->seekers;
+  qtr_steps *steps = malloc(sizeof *steps * (seekers + places) * places);
+  for (unsigned to = 0; steps != NULL && to < places; to++) {
+    qtr_field_fill(&p->field, &grid, mission->place[to]);
+    for (unsigned i = 0; i < seekers; i++) steps[i * places + to] = p->field.to_go[mission->start[i]];
+    for (unsigned from = 0; from < places; from++)
+      steps[(seekers + from) * places + to] = p->field.to_go[mission->place[from]];
+  }
+  return steps;
+}
+
+static void fill_report(report *r, const exact_solution *solution, const qtr_mission *mission) {
+  qtr_certificate *c = &r->certificate;
+  c->value = solution->value;
+  c->expected_time = solution->expected_time;
+  c->objective = mission->objective == QTR_TIME ? c->expected_time : c->value;
+  c->bound = c->objective;
+  c->certified = true;
+  for (int seeker = 0; seeker < mission->seekers; seeker++) {
+    table_route *route = &r->route[seeker];
+    route->places = solution->length[seeker];
+    memcpy(route->place, solution->route[seeker], sizeof route->place);
+    memcpy(route->step, solution->step[seeker], sizeof route->step);
+  }
+}
+
+static int solve(const options *o, report *r, fault *why) {
+  static exact_solution solution;
+  if (problem_read(&solved, o, why) != 0) return -1;
+  const double begin = clock_seconds();
+  *r = (report){.command = "exact", .ended = "certified", .o = o, .p = &solved};
+  qtr_steps *steps = measure(&solved);
+  const int status = steps != NULL ? exact_solve(&solution, &solved.in.mission, steps, why)
+                                   : fault_set(why, "%s: no memory for the travel times", o->input);
+  free(steps);
+  if (status != 0) return -1;
+  fill_report(r, &solution, &solved.in.mission);
+  r->seconds = clock_seconds() - begin;
+  return report_write(r, why);
+}
+
+int command_exact(int argc, char **argv) {
+  static options o;
+  static report r;
+  fault why;
+  if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
+  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  return solve(&o, &r, &why) == 0 ? EXIT_SUCCESS : fault_exit(&why);
+}

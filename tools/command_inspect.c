@@ -1,0 +1,131 @@
+#include <inttypes.h>
+#include <stdlib.h>
+
+#include "commands.h"
+#include "json.h"
+#include "outfile.h"
+#include "report.h"
+#include "table.h"
+
+static const char help[] =
+    "quarter inspect mission.qtr                        what a policy table holds: map, certificate, routes\n"
+    "quarter inspect mission.qtr --json\n"
+    "\n"
+    "The table is opened as a robot opens it, checksum and self-test included.\n"
+    "\n"
+    "      --json[=FILE]        print it as JSON, or write it to FILE\n"
+    "  -q, --quiet              say nothing: the exit status tells whether the table is sound\n"
+    "\n"
+    "Exit status: 0 a sound table; 2 not one.\n";
+
+static const option_set set = {"inspect", " json quiet "};
+
+static void write_places(json *j, const table *t) {
+  const unsigned columns = t->policy.grid.columns;
+  json_array(j, "place");
+  for (unsigned place = 0; place < t->policy.board.places; place++) {
+    json_flat_object(j, NULL);
+    json_integer(j, "column", qtr_policy_cell(&t->policy, place) % columns);
+    json_integer(j, "row", qtr_policy_cell(&t->policy, place) / columns);
+    json_number(j, "probability", table_probability(t, place));
+    json_end_object(j);
+  }
+  json_end_array(j);
+  json_array(j, "start");
+  for (unsigned seeker = 0; seeker < t->policy.board.seekers; seeker++) {
+    const unsigned node = (unsigned)t->policy.board.places + t->policy.board.start_of[seeker];
+    json_flat_object(j, NULL);
+    json_integer(j, "column", qtr_policy_cell(&t->policy, node) % columns);
+    json_integer(j, "row", qtr_policy_cell(&t->policy, node) / columns);
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+static void write_routes(json *j, const table_route *routes, int seekers) {
+  json_array(j, "routes");
+  for (int seeker = 0; seeker < seekers; seeker++) {
+    json_flat_object(j, NULL);
+    json_integer(j, "seeker", seeker);
+    json_array(j, "places");
+    for (int i = 0; i < routes[seeker].places; i++) json_integer(j, NULL, routes[seeker].place[i]);
+    json_end_array(j);
+    json_array(j, "steps");
+    for (int i = 0; i < routes[seeker].places; i++) json_integer(j, NULL, routes[seeker].step[i]);
+    json_end_array(j);
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+static void write_json(FILE *out, const table *t, const table_route *routes, const options *o) {
+  const table_certificate c = table_certificate_of(t);
+  char version[40];
+  json j;
+  snprintf(version, sizeof version, "%u.%u.%u", c.version[0], c.version[1], c.version[2]);
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "command", "inspect");
+  json_string(&j, "input", o->input);
+  json_integer(&j, "format", QTR_POLICY_FORMAT);
+  json_string(&j, "version", version);
+  json_natural(&j, "bytes", t->bytes.size);
+  json_integer(&j, "columns", t->policy.grid.columns);
+  json_integer(&j, "rows", t->policy.grid.rows);
+  json_integer(&j, "places", t->policy.board.places);
+  json_integer(&j, "robots", t->policy.board.seekers);
+  json_string(&j, "objective", c.by_time ? "time" : "discounted");
+  json_number(&j, "gamma", c.gamma);
+  json_string(&j, "rule", t->policy.board.rule == QTR_RULE_PAPER ? "paper" : "free");
+  json_number(&j, "value", c.value);
+  json_number(&j, "expected_time", c.expected_time);
+  json_number(&j, "objective_value", c.by_time ? c.expected_time : c.value);
+  json_number(&j, "objective_bound", c.bound);
+  json_number(&j, "gap", c.gap);
+  json_bool(&j, "certified", c.certified);
+  json_natural(&j, "seed", c.seed);
+  json_natural(&j, "records", t->policy.records);
+  json_integer(&j, "key_bytes", 4 * t->policy.board.key_words);
+  write_places(&j, t);
+  write_routes(&j, routes, t->policy.board.seekers);
+  json_end_object(&j);
+}
+
+static void write_text(FILE *out, const table *t, const table_route *routes, const options *o) {
+  const table_certificate c = table_certificate_of(t);
+  fprintf(out, "%s: a sound policy table, %zu bytes, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", o->input,
+          t->bytes.size, c.version[0], c.version[1], c.version[2], c.seed);
+  fprintf(out, "%d x %d cells, %d places, %d %s; %s rule, %s\n", t->policy.grid.columns, t->policy.grid.rows,
+          t->policy.board.places, t->policy.board.seekers, t->policy.board.seekers == 1 ? "robot" : "robots",
+          t->policy.board.rule == QTR_RULE_PAPER ? "paper" : "free",
+          c.by_time ? "least expected time" : "discounted value");
+  fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %.6g steps; bound %.6g, gap %.3g%%\n",
+          c.certified ? "certified" : "not certified", c.value, c.gamma, c.expected_time, c.bound, 100.0 * c.gap);
+  fprintf(out, "%" PRIu32 " states of %d-byte keys\n", t->policy.records, 4 * t->policy.board.key_words);
+  report_routes(out, routes, t->policy.board.seekers);
+}
+
+static int write_out(const table *t, const options *o, fault *why) {
+  static table_route routes[QTR_MAX_SEEKERS];
+  outfile out;
+  if (o->quiet && !o->json) return 0;
+  table_routes(t, routes);
+  if (outfile_open(&out, o->json && o->json_path != NULL ? o->json_path : "-", why) != 0) return -1;
+  if (o->json)
+    write_json(out.file, t, routes, o);
+  else
+    write_text(out.file, t, routes, o);
+  return outfile_commit(&out, why);
+}
+
+int command_inspect(int argc, char **argv) {
+  static options o;
+  table t;
+  fault why;
+  if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
+  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (table_read(&t, o.input, &why) != 0) return fault_exit(&why);
+  const int status = write_out(&t, &o, &why);
+  table_free(&t);
+  return status == 0 ? EXIT_SUCCESS : fault_exit(&why);
+}

@@ -1,0 +1,159 @@
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "carray.h"
+#include "commands.h"
+#include "outfile.h"
+#include "progress.h"
+#include "quarter/export.h"
+#include "quarter/status.h"
+#include "report.h"
+
+static const char help[] =
+    "quarter learn minefield.txt --robots 2             learn who visits what, print the certificate\n"
+    "quarter learn mission.yaml -o mission.qtr          and write the policy table for the robots\n"
+    "quarter learn mission.yaml --c mission_policy.c    the same as a C array for firmware\n"
+    "quarter learn big.yaml --time-limit 60 --json      the best in a minute, with the gap that is left\n"
+    "\n"
+    "INPUT is a drawing (.txt), a mission (.yaml), or a map that has places. Ctrl-C ends the search and still writes the\n"
+    "best policy found.\n"
+    "\n"
+    "  -o, --output FILE        write the policy table; '-' is standard output\n"
+    "      --c FILE             write it as C source\n"
+    "      --robots K           K robots, where the input has one start\n"
+    "      --objective WHAT     discounted (maximise w P gamma^(t-1), the default) or time (least expected time)\n"
+    "      --gamma G            discount a step, above 0 and below 1 (default 0.99)\n"
+    "      --rule RULE          free (robots may stand down, the default) or paper (Table 1: they must choose)\n"
+    "      --cell-size M        metres a cell, for ROS maps\n"
+    "      --skip-unreachable   leave out places that no robot can reach\n"
+    "      --gap X              stop within this relative gap of the optimum (default 1e-5)\n"
+    "      --time-limit S       stop after this many seconds\n"
+    "      --episodes N         stop after this many games\n"
+    "      --seed N             of random choices (default 1); the certified setting makes none\n"
+    "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
+    "  -q, --quiet              no progress, no report but JSON\n"
+    "\n"
+    "Exit status: 0 done, certified or not; 2 bad input, nothing written; 130 ended by Ctrl-C, best policy written.\n";
+
+static const option_set set = {"learn",
+                               " output c json quiet robots objective rule gamma cell-size skip-unreachable gap"
+                               " time-limit episodes seed "};
+
+static problem learnt;
+static qtr_learner learner;
+static volatile sig_atomic_t interrupted;
+
+/* A second Ctrl-C ends the program at once: the first one puts the default back. */
+static void on_interrupt(int number) {
+  interrupted = number;
+}
+
+static void catch_interrupts(void) {
+  struct sigaction action;
+  sigset_t both;
+  memset(&action, 0, sizeof action);
+  action.sa_handler = on_interrupt;
+  action.sa_flags = (int)SA_RESETHAND;
+  sigaction(SIGINT, &action, NULL);
+  sigaction(SIGTERM, &action, NULL);
+  /* Whoever started this may have held them back until now. */
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  sigprocmask(SIG_UNBLOCK, &both, NULL);
+}
+
+/* Whether a file can be written there, found out before the search and not after it. */
+static int check_outputs(const options *o, fault *why) {
+  const char *paths[] = {o->output, o->c_output, o->json_path};
+  for (int i = 0; i < 3; i++) {
+    outfile out;
+    if (paths[i] == NULL) continue;
+    if (outfile_open(&out, paths[i], why) != 0) return -1;
+    outfile_abort(&out);
+  }
+  return 0;
+}
+
+/* What ends the search after a step, or NULL if it goes on. */
+static const char *find_end(enum qtr_learning learning, const options *o, uint64_t episodes, double seconds) {
+  if (learning == QTR_CERTIFIED) return "certified";
+  if (learning == QTR_CONVERGED) return "converged";
+  if (interrupted != 0) return "interrupted";
+  if (o->time_limit > 0.0 && seconds >= o->time_limit) return "time limit";
+  return o->episodes > 0 && episodes >= o->episodes ? "episodes" : NULL;
+}
+
+static void search(report *r, const options *o) {
+  progress shown;
+  const double begin = clock_seconds();
+  progress_begin(&shown, o->quiet, o->time_limit, o->gap);
+  while (r->ended == NULL) {
+    const enum qtr_learning learning = qtr_learner_step(&learner);
+    const double seconds = clock_seconds() - begin;
+    qtr_learner_certificate(&learner, &r->certificate);
+    progress_show(&shown, &r->certificate, seconds);
+    r->ended = find_end(learning, o, r->certificate.episodes, seconds);
+  }
+  progress_end(&shown);
+}
+
+static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bool as_c, fault *why) {
+  outfile out;
+  if (outfile_open(&out, path, why) != 0) return -1;
+  if (as_c)
+    carray_write(out.file, path, bytes, size);
+  else
+    fwrite(bytes, 1, size, out.file);
+  return outfile_commit(&out, why);
+}
+
+/* The table, opened once as a robot will, gives the routes of the report: what is told is what was written. */
+static int write_table(report *r, const options *o, fault *why) {
+  const uint32_t size = qtr_export_size(&learner);
+  table t = {.bytes = {malloc(size), size}};
+  int status = -1;
+  if (t.bytes.data == NULL) return fault_set(why, "no memory for a table of %lu bytes", (unsigned long)size);
+  const int32_t written = qtr_export(&learner, t.bytes.data, size);
+  if (written < 0 || qtr_policy_open(&t.policy, t.bytes.data, size) != QTR_OK) {
+    fault_set(why, "the policy table does not open: %s; this is a fault of Quarter's", qtr_strerror(written));
+  } else {
+    r->table_bytes = size;
+    r->table_records = (uint16_t)t.policy.records;
+    table_routes(&t, r->route);
+    status = o->output != NULL ? write_bytes(o->output, t.bytes.data, size, false, why) : 0;
+    if (status == 0 && o->c_output != NULL) status = write_bytes(o->c_output, t.bytes.data, size, true, why);
+  }
+  table_free(&t);
+  return status;
+}
+
+static int learn(const options *o, report *r, fault *why) {
+  if (check_outputs(o, why) != 0 || problem_read(&learnt, o, why) != 0) return -1;
+  qtr_learner_config config;
+  qtr_learner_config_default(&config);
+  config.gap = o->gap;
+  config.seed = o->seed;
+  const double begin = clock_seconds();
+  const int status = qtr_learner_init(&learner, &learnt.game, &config);
+  if (status != QTR_OK) return fault_set(why, "%s: %s", o->input, qtr_strerror(status));
+  catch_interrupts();
+  *r = (report){.command = "learn", .o = o, .p = &learnt};
+  search(r, o);
+  r->seconds = clock_seconds() - begin + learnt.travel_seconds;
+  r->q_entries = learner.table.entries;
+  r->q_bytes = (uint64_t)learner.table.entries * qtr_qtable_entry_bytes(&learner.table);
+  if (write_table(r, o, why) != 0) return -1;
+  return report_write(r, why);
+}
+
+int command_learn(int argc, char **argv) {
+  static options o;
+  static report r;
+  fault why;
+  if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
+  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (learn(&o, &r, &why) != 0) return fault_exit(&why);
+  return interrupted != 0 ? 128 + (int)interrupted : EXIT_SUCCESS;
+}

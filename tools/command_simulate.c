@@ -1,0 +1,119 @@
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "commands.h"
+#include "json.h"
+#include "outfile.h"
+#include "simulation.h"
+
+static const char help[] =
+    "quarter simulate mission.qtr                       robots walk the grid, each by its own copy of the table\n"
+    "quarter simulate mission.qtr --target 3            the target is at place 3: when is it found?\n"
+    "quarter simulate mission.qtr --lost 1@40           robot 1 is lost at step 40: the others take its places over\n"
+    "quarter simulate mission.qtr --late 0:+30 --late 2:x1.5\n"
+    "                                                   robot 0 starts 30 steps late, robot 2 takes half as long again\n"
+    "\n"
+    "Nothing passes between the robots but the termination signals FOUND and TERRITORY_DONE.\n"
+    "\n"
+    "      --target PLACE       where the target is; its finder stops everyone\n"
+    "      --clear-all          go on after the find, until every territory is done\n"
+    "      --late SEEKER:+STEPS or SEEKER:xFACTOR   may be given several times\n"
+    "      --lost SEEKER@STEP   may be given several times\n"
+    "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
+    "  -q, --quiet              no report but JSON\n"
+    "\n"
+    "In JSON: visits are each place's first one; duplicates counts the later ones; value and expected_time are what the\n"
+    "first visits earn (expected_time null if a place was left).\n"
+    "\n"
+    "Exit status: 0 done; 2 bad input.\n";
+
+static const option_set set = {"simulate", " json quiet late lost target clear-all "};
+
+static bool was_visited(const simulation *s, int place) {
+  for (int i = 0; i < s->visits; i++)
+    if (s->visit[i].place == place) return true;
+  return false;
+}
+
+static void write_visits(json *j, const simulation *s, const table *t) {
+  json_array(j, "visits");
+  for (int i = 0; i < s->visits; i++) {
+    json_flat_object(j, NULL);
+    json_integer(j, "place", s->visit[i].place);
+    json_integer(j, "seeker", s->visit[i].seeker);
+    json_integer(j, "step", s->visit[i].step);
+    json_end_object(j);
+  }
+  json_end_array(j);
+  json_flat_array(j, "unvisited");
+  for (int place = 0; place < t->policy.board.places; place++)
+    if (!was_visited(s, place)) json_integer(j, NULL, place);
+  json_end_array(j);
+}
+
+static void write_json(FILE *out, const simulation *s, const table *t, const options *o) {
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "command", "simulate");
+  json_string(&j, "input", o->input);
+  json_integer(&j, "places", t->policy.board.places);
+  json_integer(&j, "robots", t->policy.board.seekers);
+  write_visits(&j, s, t);
+  json_number(&j, "value", s->value);
+  json_number(&j, "expected_time", s->expected_time);
+  json_natural(&j, "off_table", s->off_table);
+  json_natural(&j, "duplicates", (uint64_t)s->duplicates);
+  if (o->target != OPTIONS_UNSET) {
+    json_integer(&j, "target", o->target);
+    if (s->found_step != QTR_NEVER)
+      json_natural(&j, "found_step", s->found_step);
+    else
+      json_null(&j, "found_step");
+  }
+  json_natural(&j, "end_step", s->end);
+  json_natural(&j, "found_signals", s->found_signals);
+  json_natural(&j, "territory_done_signals", s->done_signals);
+  json_end_object(&j);
+}
+
+static void write_text(FILE *out, const simulation *s, const table *t, const options *o) {
+  fprintf(out, "%s: %d of %d places visited by step %" PRIu32 ", %d visited again, %" PRIu32 " choices off the table\n",
+          o->input, s->visits, t->policy.board.places, s->end, s->duplicates, s->off_table);
+  for (int i = 0; i < s->visits; i++)
+    fprintf(out, "  step %4" PRIu32 "  seeker %d  place %d\n", s->visit[i].step, s->visit[i].seeker, s->visit[i].place);
+  for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
+    if (!was_visited(s, place)) fprintf(out, "  place %d was not visited\n", place);
+  if (s->found_step != QTR_NEVER)
+    fprintf(out, "target found at place %d, step %" PRIu32 "\n", o->target, s->found_step);
+  else if (isnan(s->expected_time))
+    fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
+  else
+    fprintf(out, "discounted value %.6g, expected time %.6g steps\n", s->value, s->expected_time);
+}
+
+static int write_out(const simulation *s, const table *t, const options *o, fault *why) {
+  outfile out;
+  if (o->quiet && !o->json) return 0;
+  if (outfile_open(&out, o->json && o->json_path != NULL ? o->json_path : "-", why) != 0) return -1;
+  if (o->json)
+    write_json(out.file, s, t, o);
+  else
+    write_text(out.file, s, t, o);
+  return outfile_commit(&out, why);
+}
+
+int command_simulate(int argc, char **argv) {
+  static options o;
+  static simulation s;
+  table t;
+  fault why;
+  if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
+  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (table_read(&t, o.input, &why) != 0) return fault_exit(&why);
+  int status = simulation_run(&s, &t, &o, &why);
+  if (status == 0) status = write_out(&s, &t, &o, &why);
+  table_free(&t);
+  return status == 0 ? EXIT_SUCCESS : fault_exit(&why);
+}

@@ -1,0 +1,102 @@
+#include "exact.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "exact_parts.h"
+
+qtr_steps exact_steps(const exact_problem *problem, int node, int place) {
+  int row = problem->seekers + node;
+  if (node >= problem->places) {
+    row = 0;
+    while (problem->start_of[row] != node - problem->places) row++;
+  }
+  return problem->steps[(size_t)row * (size_t)problem->places + (size_t)place];
+}
+
+double exact_discount(const exact_problem *problem, qtr_steps steps) {
+  const double discount = pow(problem->gamma, (double)steps);
+  return discount > DBL_MIN ? discount : DBL_MIN;
+}
+
+double exact_reward(const exact_problem *problem, int place, qtr_steps steps) {
+  return QTR_REWARD_SCALE * problem->share[place] * exact_discount(problem, steps > 0 ? steps - 1 : 0);
+}
+
+static void name_starts(exact_problem *problem, const qtr_mission *mission) {
+  problem->starts = 0;
+  for (int i = 0; i < problem->seekers; i++) {
+    int same = 0;
+    while (mission->start[same] != mission->start[i]) same++;
+    problem->start_of[i] = same < i ? problem->start_of[same] : problem->starts++;
+  }
+}
+
+static void normalise(exact_problem *problem, const qtr_mission *mission) {
+  double largest = 0, sum = 0;
+  for (int p = 0; p < problem->places; p++) largest = fmax(largest, mission->weight[p]);
+  for (int p = 0; p < problem->places; p++) sum += mission->weight[p] / largest;
+  for (int p = 0; p < problem->places; p++) problem->share[p] = mission->weight[p] / largest / sum;
+}
+
+static bool reached_from(const exact_problem *problem, int place, const bool *reached) {
+  for (int s = 0; s < problem->starts; s++)
+    if (exact_steps(problem, problem->places + s, place) != QTR_NEVER) return true;
+  for (int p = 0; p < problem->places; p++)
+    if (reached[p] && exact_steps(problem, p, place) != QTR_NEVER) return true;
+  return false;
+}
+
+static int check_places(const exact_problem *problem, fault *why) {
+  bool reached[QTR_MAX_PLACES] = {false};
+  for (bool more = true; more;) {
+    more = false;
+    for (int p = 0; p < problem->places; p++)
+      if (!reached[p] && reached_from(problem, p, reached)) reached[p] = more = true;
+  }
+  for (int p = 0; p < problem->places; p++)
+    if (!reached[p])
+      return fault_set(why, "exact: no seeker can reach place %d; move it, remove it, or give --skip-unreachable", p);
+  return 0;
+}
+
+static int check_steps(const exact_problem *problem, fault *why) {
+  const size_t entries = (size_t)(problem->places + problem->seekers) * (size_t)problem->places;
+  const qtr_steps most = (QTR_NEVER - 1) / (qtr_steps)(problem->places + 1);
+  for (size_t e = 0; e < entries; e++)
+    if (problem->steps[e] != QTR_NEVER && problem->steps[e] > most)
+      return fault_set(why, "exact: a way of %lu steps is too long to add up; use a coarser map",
+                       (unsigned long)problem->steps[e]);
+  return 0;
+}
+
+/* From the routes alone, so that both figures are exact whatever was optimised. */
+static void evaluate(exact_solution *solution, const exact_problem *problem) {
+  solution->value = 0;
+  solution->expected_time = 0;
+  for (int i = 0; i < problem->seekers; i++) {
+    for (int v = 0; v < solution->length[i]; v++) {
+      const int place = solution->route[i][v];
+      solution->value += exact_reward(problem, place, solution->step[i][v]);
+      solution->expected_time += problem->share[place] * (double)solution->step[i][v];
+    }
+  }
+}
+
+int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_steps *steps, fault *why) {
+  exact_problem problem = {.places = mission->places,
+                           .seekers = mission->seekers,
+                           .discounted = mission->objective == QTR_DISCOUNTED,
+                           .gamma = mission->gamma,
+                           .steps = steps};
+  memset(solution, 0, sizeof *solution);
+  name_starts(&problem, mission);
+  normalise(&problem, mission);
+  if (check_places(&problem, why) != 0 || check_steps(&problem, why) != 0) return -1;
+  /* One seeker has nobody to give way to: both rules are the same game. */
+  const bool paper = mission->rule == QTR_RULE_PAPER && problem.seekers > 1;
+  const int status = paper ? exact_solve_paper(solution, &problem, why) : exact_solve_free(solution, &problem, why);
+  if (status == 0) evaluate(solution, &problem);
+  return status;
+}

@@ -1,0 +1,105 @@
+#include "input.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "reader/drawing.h"
+#include "reader/file.h"
+#include "reader/kind.h"
+#include "reader/mission_file.h"
+#include "reader/movingai.h"
+#include "reader/rosmap.h"
+#include "reader/sites.h"
+
+/* A map by itself says nothing of robots and places. */
+static int needs_mission(const input *in, const char *what, fault *why) {
+  const char *slash = strrchr(in->path, '/'), *name = slash == NULL ? in->path : slash + 1;
+  return file_fault(why, in->path, 0, 0,
+                    "is %s without robots and places; write a mission.yaml beside it and name that: \"map: %.100s\", "
+                    "\"robots: [{column: 1, row: 1}]\", \"places: [{column: 9, row: 4, weight: 2}]\", a line each",
+                    what, name);
+}
+
+static int read_drawing(input *in, const file_bytes *bytes, const input_options *options, fault *why) {
+  drawing_marks marks = {true, true};
+  if (drawing_read(in, bytes, marks, why)) return -1;
+  if (options->cell_size > 0.0) {
+    return file_fault(why, in->path, 0, 0,
+                      "a cell size is for ROS maps only, and a drawing has no metres; leave --cell-size out");
+  }
+  if (in->mission.seekers == 0) return file_fault(why, in->path, 0, 0, "no start; mark the robots' cell with S");
+  if (in->mission.places == 0) {
+    return file_fault(why, in->path, 0, 0, "no place to visit; mark one at least with its weight, 1 to 9");
+  }
+  return 0;
+}
+
+static int read_yaml(input *in, const file_bytes *bytes, const input_options *options, fault *why) {
+  tree yaml;
+  if (tree_read(&yaml, in->path, bytes, why)) return -1;
+  bool is_map = rosmap_looks_like_one(&yaml);
+  int result = is_map ? 0 : mission_file_read(in, &yaml, options);
+  tree_free(&yaml);
+  if (!is_map) return result;
+  /* Faults of the map come first: a mission would not mend them. */
+  rosmap_wish wish = {options->cell_size, 0.0, false};
+  if (rosmap_read(in, bytes, &wish, why)) return -1;
+  return needs_mission(in, "a ROS map", why);
+}
+
+static int read_bytes(input *in, const file_bytes *bytes, const input_options *options, fault *why) {
+  switch (kind_of(in->path, bytes)) {
+  case KIND_IMAGE:
+    return file_fault(why, in->path, 0, 0,
+                      "is an image, which has no scale, robots or places; name a mission YAML whose 'map' is the "
+                      "map_server YAML of the image");
+  case KIND_MOVINGAI:
+    if (movingai_read(in, bytes, why)) return -1;
+    return needs_mission(in, "a Moving AI map", why);
+  case KIND_YAML: return read_yaml(in, bytes, options, why);
+  default: return read_drawing(in, bytes, options, why);
+  }
+}
+
+int input_read(input *in, const char *path, const input_options *options, fault *why) {
+  file_bytes bytes;
+  memset(in, 0, sizeof *in);
+  qtr_mission_default(&in->mission);
+  in->frame.cell_size = 1.0;
+  if (strlen(path) >= sizeof in->path)
+    return file_fault(why, path, 0, 0, "the name is too long for a file; shorten it");
+  strcpy(in->path, path);
+  strcpy(in->map, path);
+  if (!(options->cell_size >= 0.0) || !isfinite(options->cell_size)) {
+    return fault_set(why, "the cell size %g is not a length above 0; mend --cell-size", options->cell_size);
+  }
+  if (file_read(&bytes, path, FILE_MAP_LIMIT, NULL, why)) return -1;
+  int result = read_bytes(in, &bytes, options, why);
+  file_free(&bytes);
+  return result != 0 ? -1 : sites_finish(in, options->robots, why);
+}
+
+void input_cell_centre(const input *in, qtr_cell cell, double *x, double *y) {
+  const qtr_mission *mission = &in->mission;
+  unsigned column = (unsigned)(cell % mission->columns), row = (unsigned)(cell / mission->columns);
+  *x = in->frame.origin_x + (column + 0.5) * in->frame.cell_size;
+  *y = in->frame.origin_y + (mission->rows - 1u - row + 0.5) * in->frame.cell_size;
+}
+
+static void name_site(const input *in, const char *what, int index, input_origin origin, char *out, size_t size) {
+  const char *path = file_short_path(sites_path(in, origin));
+  if (origin.column > 0) {
+    snprintf(out, size, "%s %d (%s:%d:%d)", what, index, path, origin.line, origin.column);
+  } else {
+    snprintf(out, size, "%s %d (%s:%d)", what, index, path, origin.line);
+  }
+}
+
+void input_place_name(const input *in, int place, char *out, size_t size) {
+  name_site(in, "place", place, in->place_origin[place], out, size);
+}
+
+void input_seeker_name(const input *in, int seeker, char *out, size_t size) {
+  name_site(in, "seeker", seeker, in->start_origin[seeker], out, size);
+}

@@ -1,0 +1,44 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands.h"
+#include "fault.h"
+#include "quarter/status.h"
+
+static const char help[] =
+    "quarter learn mission.yaml -o mission.qtr     divide the area among the robots, with a certificate\n"
+    "quarter simulate mission.qtr --lost 1@40      play the policy, robots late or lost\n"
+    "quarter draw mission.qtr -o mission.svg       a picture of the map, the territories and the routes\n"
+    "quarter inspect mission.qtr                   what a policy table holds\n"
+    "quarter exact mission.yaml                    the exact optimum of a small mission, for checking\n"
+    "\n"
+    "'quarter COMMAND --help' tells more; 'quarter --version' the version.\n"
+    "\n"
+    "Inputs: a drawing (.txt: # blocked, . free, ~ rough, S start, 1-9 a place of that weight), or a mission (.yaml) that\n"
+    "names a drawing, a Moving AI .map or a ROS map, robots and places.\n";
+
+static const struct {
+  const char *name;
+  int (*run)(int argc, char **argv);
+} commands[] = {{"learn", command_learn},
+                {"exact", command_exact},
+                {"simulate", command_simulate},
+                {"inspect", command_inspect},
+                {"draw", command_draw}};
+
+int main(int argc, char **argv) {
+  const char *word = argc > 1 ? argv[1] : "--help";
+  if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
+    fputs(help, argc > 1 ? stdout : stderr);
+    return argc > 1 ? EXIT_SUCCESS : EXIT_BAD_INPUT;
+  }
+  if (strcmp(word, "--version") == 0) {
+    puts("quarter " QTR_VERSION_STRING);
+    return EXIT_SUCCESS;
+  }
+  for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
+    if (strcmp(word, commands[i].name) == 0) return commands[i].run(argc - 1, argv + 1);
+  fprintf(stderr, "quarter: there is no command '%s'; 'quarter --help' lists them\n", word);
+  return EXIT_BAD_INPUT;
+}

@@ -1,0 +1,284 @@
+#include "options.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "quarter/joint.h"
+#include "quarter/mission.h"
+
+/* One row an option: how it is spelt, and how its value is taken. */
+typedef struct {
+  const char *name;
+  int argument; /* as in struct option */
+  int letter;   /* its short form, or 0 */
+  int (*take)(options *o, const char *name, const char *value, fault *why);
+} option_row;
+
+/* ---- numbers ---- */
+
+static int take_number(double *number, const char *name, const char *value, const char *range, double least, double most,
+                       fault *why) {
+  char *end;
+  errno = 0;
+  *number = strtod(value, &end);
+  if (end == value || *end != '\0' || !(*number >= least && *number <= most) || errno == ERANGE)
+    return fault_set(why, "--%s %s: not a number %s", name, value, range);
+  return 0;
+}
+
+static int take_count(uint64_t *count, const char *name, const char *value, uint64_t least, uint64_t most, fault *why) {
+  char *end;
+  errno = 0;
+  *count = strtoull(value, &end, 10);
+  if (value[0] < '0' || value[0] > '9' || *end != '\0' || errno == ERANGE || *count < least || *count > most)
+    return fault_set(why, "--%s %s: not a whole number from %llu to %llu", name, value, (unsigned long long)least,
+                     (unsigned long long)most);
+  return 0;
+}
+
+static int take_int(int *number, const char *name, const char *value, int least, int most, fault *why) {
+  uint64_t count;
+  if (take_count(&count, name, value, (uint64_t)least, (uint64_t)most, why) != 0) return -1;
+  *number = (int)count;
+  return 0;
+}
+
+static int take_word(int *number, const char *name, const char *value, const char *zero, const char *one,
+                     fault *why) {
+  if (strcmp(value, zero) != 0 && strcmp(value, one) != 0)
+    return fault_set(why, "--%s %s: say %s or %s", name, value, zero, one);
+  *number = strcmp(value, one) == 0;
+  return 0;
+}
+
+/* ---- one function an option ---- */
+
+static int take_output(options *o, const char *name, const char *value, fault *why) {
+  if (value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", name);
+  o->output = value;
+  return 0;
+}
+
+static int take_c(options *o, const char *name, const char *value, fault *why) {
+  if (value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", name);
+  o->c_output = value;
+  return 0;
+}
+
+static int take_json(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)why;
+  o->json = true;
+  o->json_path = value;
+  return 0;
+}
+
+static int take_quiet(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)value;
+  (void)why;
+  o->quiet = true;
+  return 0;
+}
+
+static int take_help(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)value;
+  (void)why;
+  o->help = true;
+  return 0;
+}
+
+static int take_robots(options *o, const char *name, const char *value, fault *why) {
+  uint64_t count;
+  if (take_count(&count, name, value, 1, 1000000, why) != 0) return -1;
+  if (count > QTR_MAX_SEEKERS)
+    return fault_set(why, "--%s %s: this build holds %d seekers; rebuild with a larger QTR_MAX_SEEKERS", name, value,
+                     QTR_MAX_SEEKERS);
+  o->robots = (int)count;
+  return 0;
+}
+
+static int take_objective(options *o, const char *name, const char *value, fault *why) {
+  return take_word(&o->objective, name, value, "discounted", "time", why);
+}
+
+static int take_rule(options *o, const char *name, const char *value, fault *why) {
+  return take_word(&o->rule, name, value, "free", "paper", why);
+}
+
+static int take_gamma(options *o, const char *name, const char *value, fault *why) {
+  if (take_number(&o->gamma, name, value, "above 0 and below 1", 0.0, 1.0, why) != 0) return -1;
+  if (o->gamma <= 0.0 || o->gamma >= 1.0)
+    return fault_set(why, "--%s %s: not a number above 0 and below 1", name, value);
+  return 0;
+}
+
+static int take_cell_size(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->cell_size, name, value, "of metres, from 0.001 to 1000", 1e-3, 1e3, why);
+}
+
+static int take_skip_unreachable(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)value;
+  (void)why;
+  o->skip_unreachable = true;
+  return 0;
+}
+
+static int take_gap(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->gap, name, value, "from 0 to 1 (0.01 is one per cent)", 0.0, 1.0, why);
+}
+
+static int take_time_limit(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->time_limit, name, value, "of seconds, from 0.001 to 1e7", 1e-3, 1e7, why);
+}
+
+static int take_episodes(options *o, const char *name, const char *value, fault *why) {
+  return take_count(&o->episodes, name, value, 1, UINT64_MAX - 1, why);
+}
+
+static int take_seed(options *o, const char *name, const char *value, fault *why) {
+  return take_count(&o->seed, name, value, 0, UINT64_MAX - 1, why);
+}
+
+/* SEEKER:+STEPS or SEEKER:xFACTOR */
+static int take_late(options *o, const char *name, const char *value, fault *why) {
+  if (o->lates == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
+  option_late *late = &o->late[o->lates];
+  char seeker[32];
+  const char *colon = strchr(value, ':');
+  if (colon == NULL || colon == value || (size_t)(colon - value) >= sizeof seeker || (colon[1] != '+' && colon[1] != 'x'))
+    return fault_set(why, "--%s %s: say SEEKER:+STEPS or SEEKER:xFACTOR, as 1:+30 or 1:x2.5", name, value);
+  snprintf(seeker, sizeof seeker, "%.*s", (int)(colon - value), value);
+  late->wait = 0;
+  late->factor = 1.0;
+  if (take_int(&late->seeker, name, seeker, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
+  o->lates++;
+  if (colon[1] == 'x') return take_number(&late->factor, name, colon + 2, "from 1 to 1000 after the x", 1.0, 1000.0, why);
+  uint64_t wait;
+  if (take_count(&wait, name, colon + 2, 0, 1000000000, why) != 0) return -1;
+  late->wait = (uint32_t)wait;
+  return 0;
+}
+
+/* SEEKER@STEP */
+static int take_lost(options *o, const char *name, const char *value, fault *why) {
+  if (o->losts == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
+  option_lost *lost = &o->lost[o->losts];
+  char seeker[32];
+  uint64_t step;
+  const char *at = strchr(value, '@');
+  if (at == NULL || at == value || (size_t)(at - value) >= sizeof seeker)
+    return fault_set(why, "--%s %s: say SEEKER@STEP, as 1@40", name, value);
+  snprintf(seeker, sizeof seeker, "%.*s", (int)(at - value), value);
+  if (take_int(&lost->seeker, name, seeker, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
+  if (take_count(&step, name, at + 1, 0, 4000000000u, why) != 0) return -1;
+  lost->step = (uint32_t)step;
+  o->losts++;
+  return 0;
+}
+
+static int take_target(options *o, const char *name, const char *value, fault *why) {
+  return take_int(&o->target, name, value, 0, QTR_MAX_PLACES - 1, why);
+}
+
+static int take_clear_all(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)value;
+  (void)why;
+  o->clear_all = true;
+  return 0;
+}
+
+static const option_row rows[] = {{"output", required_argument, 'o', take_output},
+                                  {"c", required_argument, 0, take_c},
+                                  {"json", optional_argument, 0, take_json},
+                                  {"quiet", no_argument, 'q', take_quiet},
+                                  {"help", no_argument, 'h', take_help},
+                                  {"robots", required_argument, 0, take_robots},
+                                  {"objective", required_argument, 0, take_objective},
+                                  {"rule", required_argument, 0, take_rule},
+                                  {"gamma", required_argument, 0, take_gamma},
+                                  {"cell-size", required_argument, 0, take_cell_size},
+                                  {"skip-unreachable", no_argument, 0, take_skip_unreachable},
+                                  {"gap", required_argument, 0, take_gap},
+                                  {"time-limit", required_argument, 0, take_time_limit},
+                                  {"episodes", required_argument, 0, take_episodes},
+                                  {"seed", required_argument, 0, take_seed},
+                                  {"late", required_argument, 0, take_late},
+                                  {"lost", required_argument, 0, take_lost},
+                                  {"target", required_argument, 0, take_target},
+                                  {"clear-all", no_argument, 0, take_clear_all}};
+enum { ROWS = sizeof rows / sizeof rows[0] };
+
+/* ---- the whole line ---- */
+
+static bool is_allowed(const option_set *set, const char *name) {
+  char word[64];
+  snprintf(word, sizeof word, " %s ", name);
+  return strcmp(name, "help") == 0 || strstr(set->allowed, word) != NULL;
+}
+
+/* getopt's tables for what this command takes: a long option returns its row's number, counted from 1. */
+static void make_tables(const option_set *set, struct option *longs, char *shorts) {
+  int count = 0;
+  *shorts++ = ':';
+  for (int i = 0; i < ROWS; i++) {
+    if (!is_allowed(set, rows[i].name)) continue;
+    longs[count++] = (struct option){rows[i].name, rows[i].argument, NULL, i + 1};
+    if (rows[i].letter == 0) continue;
+    *shorts++ = (char)rows[i].letter;
+    if (rows[i].argument == required_argument) *shorts++ = ':';
+  }
+  longs[count] = (struct option){NULL, 0, NULL, 0};
+  *shorts = '\0';
+}
+
+static const option_row *find_row(int code) {
+  if (code >= 1 && code <= ROWS) return &rows[code - 1];
+  for (int i = 0; i < ROWS; i++)
+    if (rows[i].letter == code) return &rows[i];
+  return NULL;
+}
+
+static void set_defaults(options *o) {
+  memset(o, 0, sizeof *o);
+  o->objective = OPTIONS_UNSET;
+  o->rule = OPTIONS_UNSET;
+  o->target = OPTIONS_UNSET;
+  o->gap = 1e-5;
+  o->seed = 1;
+}
+
+static int check_input(options *o, const option_set *set, int argc, char **argv, fault *why) {
+  if (o->help) return 0;
+  if (optind == argc) return fault_set(why, "quarter %s: name an input; 'quarter %s --help' shows how", set->name, set->name);
+  if (optind + 1 < argc)
+    return fault_set(why, "quarter %s: one input at a time, and '%s' is a second one", set->name, argv[optind + 1]);
+  o->input = argv[optind];
+  return 0;
+}
+
+int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {
+  struct option longs[ROWS + 1];
+  char shorts[3 * ROWS];
+  make_tables(set, longs, shorts);
+  set_defaults(o);
+  opterr = 0;
+  optind = 1;
+  int code;
+  while ((code = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
+    if (code == '?' || code == ':')
+      return fault_set(why, "quarter %s: %s '%s'; 'quarter %s --help' shows what there is", set->name,
+                       code == ':' ? "no value after" : "no such option, or a value too many:", argv[optind - 1],
+                       set->name);
+    const option_row *row = find_row(code);
+    if (row->take(o, row->name, optarg, why) != 0) return -1;
+  }
+  return check_input(o, set, argc, argv, why);
+}

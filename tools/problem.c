@@ -1,0 +1,79 @@
+#include "problem.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "progress.h"
+#include "quarter/status.h"
+
+#define NAMES_SIZE 700
+
+static void override(qtr_mission *mission, const options *o) {
+  if (o->objective != OPTIONS_UNSET) mission->objective = (uint8_t)o->objective;
+  if (o->rule != OPTIONS_UNSET) mission->rule = (uint8_t)o->rule;
+  if (o->gamma > 0.0) mission->gamma = o->gamma;
+}
+
+/* "place 3 (file:line), place 5 (file:line), ...", cut off when the room is used up. */
+static void name_unreachable(const problem *p, char *names) {
+  size_t length = 0;
+  names[0] = '\0';
+  for (int place = 0; place < p->in.mission.places; place++) {
+    char name[300];
+    if (qtr_game_reachable(&p->game, (unsigned)place)) continue;
+    input_place_name(&p->in, place, name, sizeof name);
+    if (length + strlen(name) + 8 > NAMES_SIZE) {
+      snprintf(names + length, NAMES_SIZE - length, ", ...");
+      return;
+    }
+    length += (size_t)snprintf(names + length, NAMES_SIZE - length, "%s%s", length > 0 ? ", " : "", name);
+  }
+}
+
+static void drop_unreachable(problem *p) {
+  qtr_mission *mission = &p->in.mission;
+  uint16_t kept = 0;
+  for (uint16_t place = 0; place < mission->places; place++) {
+    if (!qtr_game_reachable(&p->game, place)) continue;
+    mission->place[kept] = mission->place[place];
+    mission->weight[kept] = mission->weight[place];
+    p->in.place_origin[kept++] = p->in.place_origin[place];
+  }
+  mission->places = kept;
+}
+
+static int handle_unreachable(problem *p, const options *o, fault *why) {
+  char names[NAMES_SIZE];
+  name_unreachable(p, names);
+  if (!o->skip_unreachable)
+    return fault_set(why, "%s: no seeker can reach %s; move or remove them, or leave them out with --skip-unreachable",
+                     o->input, names);
+  drop_unreachable(p);
+  if (p->in.mission.places == 0)
+    return fault_set(why, "%s: no seeker can reach any place; move the starts or the places", o->input);
+  fprintf(stderr, "quarter: warning: %s: left out, for no seeker can reach them: %s\n", o->input, names);
+  return 0;
+}
+
+int problem_read(problem *p, const options *o, fault *why) {
+  const input_options reading = {o->cell_size, o->robots};
+  if (input_read(&p->in, o->input, &reading, why) != 0) return -1;
+  override(&p->in.mission, o);
+  const double begin = clock_seconds();
+  int culprit;
+  int status = qtr_mission_check(&p->in.mission, &culprit);
+  if (status == QTR_OK) status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
+  if (status == QTR_ERR_UNREACHABLE) {
+    if (handle_unreachable(p, o, why) != 0) return -1;
+    status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
+  }
+  p->travel_seconds = clock_seconds() - begin;
+  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));
+}
+
+uint32_t problem_free_cells(const problem *p) {
+  const uint32_t cells = (uint32_t)p->in.mission.columns * p->in.mission.rows;
+  uint32_t count = 0;
+  for (uint32_t cell = 0; cell < cells; cell++) count += p->in.mission.cost[cell] > 0;
+  return count;
+}

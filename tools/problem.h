@@ -1,0 +1,25 @@
+/* An input made ready to learn on: read, overridden from the command line, its elemental tasks solved. */
+#ifndef QUARTER_TOOLS_PROBLEM_H
+#define QUARTER_TOOLS_PROBLEM_H
+
+#include "fault.h"
+#include "input.h"
+#include "options.h"
+#include "quarter/game.h"
+
+/* Large: keep it in static storage. */
+typedef struct {
+  input in;
+  qtr_game game;
+  qtr_field field;
+  double travel_seconds; /* that the elemental tasks took */
+} problem;
+
+/* Read the options' input and set its game up. Places that no seeker can reach are an error that names them, or are
+ * left out with a warning on standard error under --skip-unreachable. 0, or -1 with *why set. */
+int problem_read(problem *p, const options *o, fault *why);
+
+/* Free cells of the map. */
+uint32_t problem_free_cells(const problem *p);
+
+#endif

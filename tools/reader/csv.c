@@ -1,0 +1,104 @@
+#include "csv.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "frame.h"
+#include "sites.h"
+#include "text.h"
+
+#define FIELDS 3
+
+enum column { X, Y, COLUMN, ROW, WEIGHT, COLUMNS };
+static const char *const NAMES[COLUMNS] = {"x", "y", "column", "row", "weight"};
+
+typedef struct {
+  const char *text;
+  size_t length;
+} field;
+
+/* The next field of a line; *rest is moved behind its comma, or set to NULL at the end. */
+static field next_field(const char **rest, const char *end) {
+  const char *comma = memchr(*rest, ',', (size_t)(end - *rest));
+  field it = {*rest, (size_t)((comma == NULL ? end : comma) - *rest)};
+  *rest = comma == NULL ? NULL : comma + 1;
+  text_trim(&it.text, &it.length);
+  if (it.length >= 2 && it.text[0] == '"' && it.text[it.length - 1] == '"') {
+    it.text++;
+    it.length -= 2;
+  }
+  return it;
+}
+
+/* The fields of a line; a number other than FIELDS is a fault. */
+static int split(field fields[FIELDS], const input *in, const text_lines *lines, fault *why) {
+  const char *rest = lines->line, *end = lines->line + lines->length;
+  int count = 0;
+  while (rest != NULL) {
+    field next = next_field(&rest, end);
+    if (count < FIELDS) fields[count] = next;
+    count++;
+  }
+  if (count == FIELDS) return 0;
+  return file_fault(why, in->csv, lines->number, 0, "the line has %d field%s, not %d; write \"x,y,weight\" with commas",
+                    count, count == 1 ? "" : "s", FIELDS);
+}
+
+static int column_of(field it) {
+  for (int i = 0; i < COLUMNS; i++) {
+    if (it.length == strlen(NAMES[i]) && memcmp(it.text, NAMES[i], it.length) == 0) return i;
+  }
+  return -1;
+}
+
+/* order[i] = which column the i-th field is. */
+static int read_header(int order[FIELDS], const input *in, const text_lines *lines, fault *why) {
+  field fields[FIELDS];
+  bool seen[COLUMNS] = {false};
+  if (split(fields, in, lines, why)) return -1;
+  for (int i = 0; i < FIELDS; i++) {
+    order[i] = column_of(fields[i]);
+    if (order[i] < 0 || seen[order[i]]) break;
+    seen[order[i]] = true;
+  }
+  if (seen[WEIGHT] && ((seen[X] && seen[Y]) || (seen[COLUMN] && seen[ROW]))) return 0;
+  return file_fault(
+      why, in->csv, lines->number, 0,
+      "the first line is not the header \"x,y,weight\" (or \"column,row,weight\"); write it above the places");
+}
+
+static int read_place(input *in, const int order[FIELDS], const text_lines *lines, fault *why) {
+  field fields[FIELDS];
+  double values[COLUMNS] = {0};
+  if (split(fields, in, lines, why)) return -1;
+  for (int i = 0; i < FIELDS; i++) {
+    const char *name = NAMES[order[i]];
+    int shown = fields[i].length < 60 ? (int)fields[i].length : 60;
+    const char *wrong = text_number(&values[order[i]], fields[i].text, fields[i].length);
+    if (wrong == NULL) continue;
+    return file_fault(why, in->csv, lines->number, 0, "the %s \"%.*s\" %s; write a number", name, shown, fields[i].text,
+                      wrong);
+  }
+  input_origin origin = {INPUT_FROM_CSV, lines->number, 0};
+  qtr_cell cell;
+  bool metres = order[0] == X || order[0] == Y || order[1] == X || order[1] == Y;
+  int outside = metres ? frame_point(in, values[X], values[Y], origin, &cell, why)
+                       : frame_cell(in, values[COLUMN], values[ROW], origin, &cell, why);
+  if (outside) return -1;
+  return sites_add_place(in, cell, values[WEIGHT], origin, why);
+}
+
+int csv_read(input *in, const file_bytes *bytes, fault *why) {
+  text_lines lines;
+  int order[FIELDS];
+  bool header = false;
+  text_start(&lines, bytes);
+  while (text_next(&lines)) {
+    if (text_blank(lines.line, lines.length) || lines.line[0] == '#') continue;
+    if (header ? read_place(in, order, &lines, why) : read_header(order, in, &lines, why)) return -1;
+    header = true;
+  }
+  if (header) return 0;
+  return file_fault(why, in->csv, 0, 0, "holds no header; start it with \"x,y,weight\"");
+}

@@ -1,0 +1,52 @@
+#include "kind.h"
+
+#include <stdbool.h>
+#include <string.h>
+#include <strings.h>
+
+#include "drawing.h"
+#include "movingai.h"
+#include "pgm.h"
+#include "text.h"
+
+static bool has_extension(const char *path, const char *extension) {
+  size_t length = strlen(path), tail = strlen(extension);
+  return length > tail && strcasecmp(path + length - tail, extension) == 0;
+}
+
+/* "key: value" or "key:". No drawing has that: its only letter is S. */
+static bool is_key_line(const char *line, size_t length) {
+  /* A NUL ends the file, if nothing else ends the word. */
+  size_t word = strspn(line, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_");
+  if (word < 2) return false;
+  while (word < length && text_blank(line + word, 1)) word++;
+  if (word >= length || line[word] != ':') return false;
+  return word + 1 == length || text_blank(line + word + 1, 1);
+}
+
+/* The same, or the brace or dashes that a YAML may start with. */
+static bool is_yaml_line(const char *line, size_t length) {
+  return line[0] == '{' || (length >= 3 && memcmp(line, "---", 3) == 0) || is_key_line(line, length);
+}
+
+/* Decided by the first line that is neither empty nor a YAML comment. */
+static bool looks_like_yaml(const file_bytes *bytes) {
+  text_lines lines;
+  text_start(&lines, bytes);
+  while (text_next(&lines)) {
+    if (text_blank(lines.line, lines.length) || lines.line[0] == '#' || lines.line[0] == '%') continue;
+    return is_yaml_line(lines.line, lines.length);
+  }
+  return false;
+}
+
+enum kind kind_of(const char *path, const file_bytes *bytes) {
+  if (pgm_looks_like_image(bytes)) return KIND_IMAGE;
+  if (movingai_looks_like_one(bytes)) return KIND_MOVINGAI;
+  if (drawing_looks_like_one(bytes)) return KIND_DRAWING;
+  if (looks_like_yaml(bytes)) return KIND_YAML;
+  if (has_extension(path, ".yaml") || has_extension(path, ".yml")) return KIND_YAML;
+  if (has_extension(path, ".map")) return KIND_MOVINGAI;
+  if (has_extension(path, ".pgm") || has_extension(path, ".png")) return KIND_IMAGE;
+  return KIND_DRAWING;
+}

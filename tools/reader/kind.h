@@ -1,0 +1,11 @@
+/* What a file is, by its contents; by its name only where they leave it open. */
+#ifndef QUARTER_READER_KIND_H
+#define QUARTER_READER_KIND_H
+
+#include "file.h"
+
+enum kind { KIND_DRAWING, KIND_MOVINGAI, KIND_YAML, KIND_IMAGE };
+
+enum kind kind_of(const char *path, const file_bytes *bytes);
+
+#endif

@@ -1,0 +1,121 @@
+#include "report.h"
+
+#include <inttypes.h>
+
+#include "json.h"
+#include "outfile.h"
+
+static void write_routes(json *j, const report *r) {
+  json_array(j, "routes");
+  for (int seeker = 0; seeker < r->p->in.mission.seekers; seeker++) {
+    const table_route *route = &r->route[seeker];
+    json_flat_object(j, NULL);
+    json_integer(j, "seeker", seeker);
+    json_array(j, "places");
+    for (int i = 0; i < route->places; i++) json_integer(j, NULL, route->place[i]);
+    json_end_array(j);
+    json_array(j, "steps");
+    for (int i = 0; i < route->places; i++) json_integer(j, NULL, route->step[i]);
+    json_end_array(j);
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+static void write_certificate(json *j, const qtr_certificate *c) {
+  json_number(j, "value", c->value);
+  json_number(j, "expected_time", c->expected_time);
+  json_number(j, "objective_value", c->objective);
+  json_number(j, "objective_bound", c->bound);
+  json_number(j, "gap", c->gap);
+  json_bool(j, "certified", c->certified);
+}
+
+static void write_json(FILE *out, const report *r) {
+  const qtr_mission *mission = &r->p->in.mission;
+  const qtr_certificate *c = &r->certificate;
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "command", r->command);
+  json_string(&j, "input", r->o->input);
+  json_string(&j, "version", QTR_VERSION_STRING);
+  json_integer(&j, "columns", mission->columns);
+  json_integer(&j, "rows", mission->rows);
+  json_integer(&j, "cells", problem_free_cells(r->p));
+  json_integer(&j, "places", mission->places);
+  json_integer(&j, "robots", mission->seekers);
+  json_string(&j, "objective", mission->objective == QTR_TIME ? "time" : "discounted");
+  json_number(&j, "gamma", mission->gamma);
+  json_string(&j, "rule", mission->rule == QTR_RULE_PAPER ? "paper" : "free");
+  write_certificate(&j, c);
+  json_string(&j, "ended", r->ended);
+  json_natural(&j, "episodes", c->episodes);
+  json_natural(&j, "updates", c->updates);
+  json_natural(&j, "price_steps", c->price_steps);
+  json_natural(&j, "q_entries", r->q_entries);
+  json_natural(&j, "q_bytes", r->q_bytes);
+  json_number(&j, "seconds", r->seconds);
+  json_natural(&j, "seed", r->o->seed);
+  json_natural(&j, "table_bytes", r->table_bytes);
+  json_natural(&j, "table_records", r->table_records);
+  write_routes(&j, r);
+  json_end_object(&j);
+}
+
+void report_routes(FILE *out, const table_route *route, int seekers) {
+  for (int seeker = 0; seeker < seekers; seeker++) {
+    fprintf(out, "  seeker %d:", seeker);
+    if (route[seeker].places == 0) fprintf(out, " stays at its start");
+    for (int i = 0; i < route[seeker].places; i++)
+      fprintf(out, "%s %d (step %" PRIu32 ")", i > 0 ? " ->" : "", route[seeker].place[i], route[seeker].step[i]);
+    fputc('\n', out);
+  }
+}
+
+static void write_verdict(FILE *out, const report *r) {
+  const qtr_certificate *c = &r->certificate;
+  if (c->certified && c->gap < 1e-9)
+    fprintf(out, "certified optimal");
+  else if (c->certified)
+    fprintf(out, "certified: within %.2g%% of the optimum", 100.0 * c->gap);
+  else
+    fprintf(out, "not certified: at most %.3g%% from the optimum when it ended (%s)", 100.0 * c->gap, r->ended);
+  if (r->p->in.mission.objective == QTR_TIME)
+    fprintf(out, "; expected time %.6g steps, bound %.6g (discounted value %.6g)\n", c->expected_time, c->bound, c->value);
+  else
+    fprintf(out, "; discounted value %.6g, bound %.6g (expected time %.6g steps)\n", c->value, c->bound, c->expected_time);
+}
+
+static void write_text(FILE *out, const report *r) {
+  const qtr_mission *mission = &r->p->in.mission;
+  fprintf(out, "%s: %" PRIu32 " free cells, %d places, %d %s\n", r->o->input, problem_free_cells(r->p), mission->places,
+          mission->seekers, mission->seekers == 1 ? "robot" : "robots");
+  write_verdict(out, r);
+  if (r->q_bytes > 0 || r->certificate.episodes > 0)
+    fprintf(out, "%" PRIu64 " episodes, %" PRIu64 " updates, %" PRIu64 " Q entries (%" PRIu64 " bytes), %.3g s\n",
+            r->certificate.episodes, r->certificate.updates, r->q_entries, r->q_bytes, r->seconds);
+  else
+    fprintf(out, "%.3g s\n", r->seconds);
+  report_routes(out, r->route, mission->seekers);
+  if (r->o->output != NULL)
+    fprintf(out, "wrote %s: %" PRIu32 " bytes, %d states\n", r->o->output, r->table_bytes, r->table_records);
+  if (r->o->c_output != NULL) fprintf(out, "wrote %s\n", r->o->c_output);
+}
+
+static int write_to(const char *path, const report *r, bool as_json, fault *why) {
+  outfile out;
+  if (outfile_open(&out, path, why) != 0) return -1;
+  if (as_json)
+    write_json(out.file, r);
+  else
+    write_text(out.file, r);
+  return outfile_commit(&out, why);
+}
+
+int report_write(const report *r, fault *why) {
+  const options *o = r->o;
+  if (o->json && o->json_path == NULL) return write_to("-", r, true, why);
+  if (o->json && write_to(o->json_path, r, true, why) != 0) return -1;
+  return o->quiet ? 0 : write_to("-", r, false, why);
+}

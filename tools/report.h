@@ -1,0 +1,34 @@
+/* What `learn` and `exact` found, as text for people and as JSON. */
+#ifndef QUARTER_TOOLS_REPORT_H
+#define QUARTER_TOOLS_REPORT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "fault.h"
+#include "options.h"
+#include "problem.h"
+#include "quarter/learner.h"
+#include "table.h"
+
+typedef struct {
+  const char *command; /* "learn" or "exact" */
+  const char *ended;   /* why it ended: "certified", "converged", "time limit", "episodes", "interrupted" */
+  const options *o;
+  const problem *p;
+  qtr_certificate certificate;
+  uint64_t q_entries, q_bytes; /* of the entries, keys and values */
+  double seconds;              /* from the travel times to the certificate */
+  uint32_t table_bytes;        /* 0: no table was made */
+  uint16_t table_records;
+  table_route route[QTR_MAX_SEEKERS];
+} report;
+
+/* Print or write the report as the options say. 0, or -1 with *why set. */
+int report_write(const report *r, fault *why);
+
+/* "seeker 0: 3 (step 7) -> 5 (12)", a line each. */
+void report_routes(FILE *out, const table_route *route, int seekers);
+
+#endif
