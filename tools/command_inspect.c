@@ -72,6 +72,11 @@ static void write_json(FILE *out, const table *t, const table_route *routes, con
   json_natural(&j, "bytes", t->bytes.size);
   json_integer(&j, "columns", t->policy.grid.columns);
   json_integer(&j, "rows", t->policy.grid.rows);
+  if (t->policy.frame.cell_size_um > 0) {
+    json_number(&j, "cell_size", t->policy.frame.cell_size_um / 1e6);
+    json_number(&j, "origin_x", (double)t->policy.frame.origin_x_um / 1e6);
+    json_number(&j, "origin_y", (double)t->policy.frame.origin_y_um / 1e6);
+  }
   json_integer(&j, "places", t->policy.board.places);
   json_integer(&j, "robots", t->policy.board.seekers);
   json_string(&j, "objective", c.by_time ? "time" : "discounted");

@@ -7,16 +7,17 @@
 #include "quarter/mission.h"
 
 typedef struct {
-  double value;         /* discounted value of the optimal routes */
-  double expected_time; /* steps, of the same routes */
-  int length[QTR_MAX_SEEKERS];                    /* places on each seeker's route */
+  double value;                                    /* discounted value of the optimal routes */
+  double expected_time;                            /* steps, of the same routes */
+  int length[QTR_MAX_SEEKERS];                     /* places on each seeker's route */
   uint16_t route[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
   qtr_steps step[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* when */
 } exact_solution;
 
-/* Solve for the mission's objective and rule. `steps` is (seekers + places) x places travel times, row i < seekers from
- * seeker i's start, row seekers + p from place p; QTR_NEVER where there is no way. 0, or -1 with *fault set: too many
- * places for the memory or time that this takes, or no memory. */
+/* Solve for the mission's objective and rule. Under the paper's rule a seeker may arrive at a place that another has
+ * visited meanwhile: routes list first visits only. `steps` is (seekers + places) x places travel times, row i < seekers
+ * from seeker i's start, row seekers + p from place p; QTR_NEVER where there is no way. 0, or -1 with *fault set: too
+ * many places for the memory or time that this takes, or no memory. */
 int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_steps *steps, fault *fault);
 
 #endif

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "utf8.h"
+
 static bool is_flat(const json *j) {
   return j->flat > 0 && j->depth >= j->flat;
 }
@@ -14,39 +16,17 @@ static void new_line(const json *j) {
   for (int i = 0; i < j->depth; i++) fputs("  ", j->out);
 }
 
-/* Bytes that the character begun by this byte takes; 0 if none begins so. */
-static int expected_length(unsigned char first) {
-  if (first < 0x80) return 1;
-  if (first < 0xC2) return 0;
-  if (first < 0xE0) return 2;
-  if (first < 0xF0) return 3;
-  return first < 0xF5 ? 4 : 0;
-}
-
-/* Bytes of the UTF-8 character at `text`; 0 if it is none: cut short, longer than need be, or half of a pair. */
-static int utf8_length(const unsigned char *text) {
-  static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-  const int length = expected_length(text[0]);
-  if (length < 2) return length;
-  uint32_t code = text[0] & (0xFFu >> (length + 1));
-  for (int i = 1; i < length; i++) {
-    if ((text[i] & 0xC0) != 0x80) return 0;
-    code = code << 6 | (text[i] & 0x3Fu);
-  }
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  return code < least[length] || code > 0x10FFFF || surrogate ? 0 : length;
-}
-
 static void write_text(FILE *out, const char *text) {
   fputc('"', out);
-  for (const unsigned char *c = (const unsigned char *)text; *c != '\0';) {
+  for (const char *c = text; *c != '\0';) {
     const int length = utf8_length(c);
+    const unsigned char first = (unsigned char)*c;
     if (length == 0)
-      fputs("\xEF\xBF\xBD", out);
+      fputs(UTF8_REPLACEMENT, out);
     else if (*c == '"' || *c == '\\')
       fprintf(out, "\\%c", *c);
-    else if (*c < 0x20 || *c == 0x7F)
-      fprintf(out, "\\u%04x", *c);
+    else if (first < 0x20 || first == 0x7F)
+      fprintf(out, "\\u%04x", first);
     else
       fwrite(c, 1, (size_t)length, out);
     c += length > 0 ? length : 1;

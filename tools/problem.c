@@ -1,5 +1,6 @@
 #include "problem.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -7,6 +8,18 @@
 #include "quarter/status.h"
 
 #define NAMES_SIZE 700
+
+static int64_t micrometres(double metres) {
+  return (int64_t)llround(metres * 1e6);
+}
+
+/* So that a robot can tell cells from its own pose. */
+static void set_frame(qtr_mission *mission, const input_frame *frame) {
+  if (!frame->metric) return;
+  mission->frame.cell_size_um = (uint32_t)micrometres(frame->cell_size);
+  mission->frame.origin_x_um = micrometres(frame->origin_x);
+  mission->frame.origin_y_um = micrometres(frame->origin_y);
+}
 
 static void override(qtr_mission *mission, const options *o) {
   if (o->objective != OPTIONS_UNSET) mission->objective = (uint8_t)o->objective;
@@ -59,6 +72,7 @@ int problem_read(problem *p, const options *o, fault *why) {
   const input_options reading = {o->cell_size, o->robots};
   if (input_read(&p->in, o->input, &reading, why) != 0) return -1;
   override(&p->in.mission, o);
+  set_frame(&p->in.mission, &p->in.frame);
   const double begin = clock_seconds();
   int culprit;
   int status = qtr_mission_check(&p->in.mission, &culprit);

@@ -19,6 +19,16 @@ typedef struct {
   const uint8_t *cells; /* row by row from the top; must outlive the grid */
 } qtr_grid;
 
+#define QTR_FRAME_LIMIT_UM ((int64_t)1000000000000000) /* coordinates lie between this and its negative */
+
+/* Where a grid lies in the world: in the map frame, y up, of the ROS map or whatever the robots localise in. In
+ * micrometres, so that a robot needs no floating point. */
+typedef struct {
+  uint32_t cell_size_um; /* side of a cell; 0: the map has no metres, and the rest is 0 */
+  int64_t origin_x_um;   /* lower-left corner of the bottom-left cell */
+  int64_t origin_y_um;
+} qtr_frame;
+
 /* In the order in which ties are broken. */
 enum qtr_direction { QTR_NORTH = 0, QTR_EAST = 1, QTR_SOUTH = 2, QTR_WEST = 3 };
 
@@ -30,6 +40,12 @@ static inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
 
 /* The cell next to `cell` in a direction, blocked or not; QTR_NO_CELL beyond the map's edge. */
 qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direction direction);
+
+/* The middle of a cell in the map frame. The frame must have metres. */
+void qtr_frame_centre(const qtr_frame *frame, const qtr_grid *grid, qtr_cell cell, int64_t *x_um, int64_t *y_um);
+
+/* The cell at a point of the map frame, free or blocked; QTR_NO_CELL off the grid. The frame must have metres. */
+qtr_cell qtr_frame_cell(const qtr_frame *frame, const qtr_grid *grid, int64_t x_um, int64_t y_um);
 
 /* Bytes that a grid of this many cells takes in an encoding. */
 uint32_t qtr_grid_size(uint32_t cells, uint8_t encoding);

@@ -8,6 +8,7 @@
 #include "quarter/learner.h"
 #include "quarter/mission.h"
 #include "quarter/qtable.h"
+#include "quarter/refine.h"
 #include "quarter/robot.h"
 
 #endif

@@ -19,6 +19,7 @@
 #include "quarter/game.h"
 #include "quarter/joint.h"
 #include "quarter/qtable.h"
+#include "quarter/refine.h"
 
 /* A game has no more choices than this: a place each, and each seeker stands down once. Under the paper's rule a seeker
  * may follow others, at most once for every place that they visit. */
@@ -79,6 +80,8 @@ typedef struct {
   bool pricing; /* the bound is still being tuned */
   uint64_t episodes, updates;
   qtr_play play;
+  qtr_routes routes;
+  qtr_refinery refinery;
   qtr_trace trace[QTR_MAX_CHOICES];
   qtr_bound bound;
   qtr_qtable table;

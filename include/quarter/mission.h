@@ -20,6 +20,7 @@ typedef struct {
   uint8_t seekers;                 /* 1..QTR_MAX_SEEKERS */
   uint8_t objective;               /* enum qtr_objective */
   uint8_t rule;                    /* enum qtr_rule */
+  qtr_frame frame;                 /* where the map lies in the world; goes into the table, the learner ignores it */
   double gamma;                    /* discount a step, 0 < gamma < 1; used to report the value under either objective */
   qtr_cell start[QTR_MAX_SEEKERS]; /* free cells, may coincide */
   qtr_cell place[QTR_MAX_PLACES];  /* free cells, all different */

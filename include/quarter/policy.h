@@ -41,13 +41,17 @@ enum {
   QTR_POLICY_TIME = 72,     /* expected step of the find */
   QTR_POLICY_BOUND = 80,    /* of the objective: no policy does better */
   QTR_POLICY_GAP = 88,      /* relative */
-  QTR_POLICY_HEADER_BYTES = 96
+  QTR_POLICY_CELL_SIZE = 96, /* u32, micrometres a cell; 0: no metres; then 4 of 0 */
+  QTR_POLICY_ORIGIN_X = 104, /* i64, micrometres: lower-left corner of the grid in the map frame */
+  QTR_POLICY_ORIGIN_Y = 112, /* i64 */
+  QTR_POLICY_HEADER_BYTES = 120
 };
 
 /* An open table: views into its bytes, which must stay where they are and unchanged as long as it is used. */
 typedef struct {
   const uint8_t *bytes;
   qtr_grid grid;
+  qtr_frame frame;
   qtr_board board;
   uint32_t records;       /* state/choice records */
   const uint8_t *cells;   /* of the nodes, 4 bytes each */

@@ -2,9 +2,11 @@
 
 #include <stddef.h>
 
-#define SCALE_FIRST 1.0
+#define SCALE_FIRST 2.0 /* of Polyak's step; 2 is the most for which it converges */
 #define SCALE_LEAST 0.005
-#define PATIENCE 12u /* steps without gain before the scale is reduced */
+#define SCALE_SHRINK 0.7
+#define PATIENCE 12u /* steps without gain before the scale shrinks */
+#define HORIZON 2u   /* slots reach so many times as far as the last visit of the play known */
 
 static unsigned places_of(const qtr_bound *bound) {
   return bound->game->board.places;
@@ -138,7 +140,7 @@ static void cut_time(qtr_bound *bound, qtr_steps last_visit) {
   for (unsigned from = 0; from < board->places; from++)
     for (unsigned to = 0; to < board->places; to++)
       if (from != to && travel_from(bound, from)[to] < shortest) shortest = travel_from(bound, from)[to];
-  const uint64_t horizon = (uint64_t)last_visit * 2 + board->longest + 2;
+  const uint64_t horizon = (uint64_t)last_visit * HORIZON + board->longest + 2;
   uint64_t steps = (horizon + QTR_BOUND_SLOTS - 1) / QTR_BOUND_SLOTS;
   if (steps > shortest) steps = shortest;
   const uint64_t slots = (horizon + steps - 1) / steps;
@@ -193,12 +195,14 @@ bool qtr_bound_improve(qtr_bound *bound, double target) {
   int visits[QTR_MAX_PLACES];
   const double upper = evaluate(bound, bound->trial, visits);
   bound->iterations++;
-  if (upper < bound->upper) {
-    keep_trial(bound, upper);
+  /* Less than a thousandth of the way to the target is no gain: or the steps would never end. */
+  const bool gained = upper < bound->upper - 1e-3 * (bound->upper - target);
+  if (upper < bound->upper) keep_trial(bound, upper);
+  if (gained) {
     bound->steps_without_gain = 0;
   } else if (++bound->steps_without_gain >= PATIENCE) {
     bound->steps_without_gain = 0;
-    bound->scale *= 0.5;
+    bound->scale *= SCALE_SHRINK;
     restart_from_best(bound);
     evaluate(bound, bound->trial, visits);
   }

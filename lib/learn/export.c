@@ -53,6 +53,9 @@ static void write_dimensions(uint8_t *bytes, const qtr_learner *learner, uint32_
   bytes[QTR_POLICY_GRID] = encoding_of(mission);
   bytes[QTR_POLICY_KEY_WORDS] = board->key_words;
   store32_le(bytes + QTR_POLICY_RECORDS, learner->best.choices);
+  store32_le(bytes + QTR_POLICY_CELL_SIZE, mission->frame.cell_size_um);
+  store64_le(bytes + QTR_POLICY_ORIGIN_X, (uint64_t)mission->frame.origin_x_um);
+  store64_le(bytes + QTR_POLICY_ORIGIN_Y, (uint64_t)mission->frame.origin_y_um);
 }
 
 static void write_certificate(uint8_t *bytes, const qtr_learner *learner) {

@@ -6,6 +6,8 @@
 #include "quarter/status.h"
 
 #define PRICE_STEPS 16 /* of the bound in one step of the learner */
+#define FIRST_ROUNDS 8 /* of shaking the first game */
+#define LATER_ROUNDS 4 /* of shaking a better one */
 
 void qtr_learner_config_default(qtr_learner_config *config) {
   config->gap = 1e-5;
@@ -157,6 +159,46 @@ static void run_episode(qtr_learner *learner) {
   if (seeker == QTR_NOBODY) keep_best(learner);
 }
 
+/* ---- local search on the best game ---- */
+
+static void routes_of_best(qtr_learner *learner) {
+  qtr_routes *routes = &learner->routes;
+  for (unsigned seeker = 0; seeker < learner->game->board.seekers; seeker++) routes->length[seeker] = 0;
+  for (unsigned i = 0; i < learner->best.choices; i++) {
+    const unsigned seeker = learner->best.seeker[i];
+    if (learner->best.choice[i] == QTR_STAND_DOWN) continue;
+    routes->place[seeker][routes->length[seeker]++] = learner->best.choice[i];
+  }
+}
+
+/* Play routes as a game: each seeker takes its next place, and stands down at its route's end. */
+static void play_routes(qtr_learner *learner) {
+  const qtr_game *game = learner->game;
+  const qtr_routes *routes = &learner->routes;
+  uint16_t next[QTR_MAX_SEEKERS] = {0};
+  qtr_state state;
+  qtr_outcome outcome;
+  int seeker;
+  play_begin(&learner->play);
+  qtr_game_start(game, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &game->board)) != QTR_NOBODY) {
+    const bool ended = next[seeker] == routes->length[seeker];
+    const uint16_t choice = ended ? QTR_STAND_DOWN : routes->place[seeker][next[seeker]++];
+    qtr_game_choose(game, &state, seeker, choice);
+    qtr_game_pass(game, &state, &outcome);
+    play_choose(&learner->play, seeker, choice);
+  }
+}
+
+/* Under the paper's rule routes alone do not make a game: who must choose when depends on the others. */
+static void refine_best(qtr_learner *learner, unsigned rounds) {
+  if (learner->game->board.rule != QTR_RULE_FREE) return;
+  routes_of_best(learner);
+  qtr_refine(&learner->refinery, &learner->routes, learner->game, rounds, learner->config.seed + learner->episodes);
+  play_routes(learner);
+  keep_best(learner);
+}
+
 /* ---- set-up and steps ---- */
 
 /* The first game, to have something to improve on: always the most likely place for the way. */
@@ -198,6 +240,7 @@ int qtr_learner_init_built(qtr_learner *learner, const qtr_game *game, const qtr
   learner->updates = 0;
   learner->pricing = true;
   play_by_rate(learner);
+  refine_best(learner, FIRST_ROUNDS);
   qtr_qtable_init(&learner->table, &game->board);
   qtr_bound_init(&learner->bound, game, learner->best.visit);
   learner->upper = learner->bound.upper;
@@ -220,6 +263,7 @@ enum qtr_learning qtr_learner_step(qtr_learner *learner) {
     const double best = learner->best.score.worth;
     const double upper = learner->upper;
     run_episode(learner);
+    if (learner->best.score.worth > best) refine_best(learner, LATER_ROUNDS);
     const bool learnt = learner->updates > updates || learner->best.score.worth > best || learner->upper < upper;
     if (!learnt) return is_certified(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
   }

@@ -16,3 +16,20 @@ qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direct
 uint32_t qtr_grid_size(uint32_t cells, uint8_t encoding) {
   return encoding == QTR_GRID_BYTES ? cells : (cells + 7) / 8;
 }
+
+void qtr_frame_centre(const qtr_frame *frame, const qtr_grid *grid, qtr_cell cell, int64_t *x_um, int64_t *y_um) {
+  const int64_t side = frame->cell_size_um;
+  const int64_t column = cell % grid->columns;
+  const int64_t row_up = grid->rows - 1 - cell / grid->columns;
+  *x_um = frame->origin_x_um + column * side + side / 2;
+  *y_um = frame->origin_y_um + row_up * side + side / 2;
+}
+
+qtr_cell qtr_frame_cell(const qtr_frame *frame, const qtr_grid *grid, int64_t x_um, int64_t y_um) {
+  const int64_t side = frame->cell_size_um;
+  if (x_um < frame->origin_x_um || y_um < frame->origin_y_um) return QTR_NO_CELL;
+  const int64_t column = (x_um - frame->origin_x_um) / side;
+  const int64_t row_up = (y_um - frame->origin_y_um) / side;
+  if (column >= grid->columns || row_up >= grid->rows) return QTR_NO_CELL;
+  return (qtr_cell)((grid->rows - 1 - row_up) * grid->columns + column);
+}

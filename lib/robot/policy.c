@@ -38,6 +38,9 @@ static int read_dimensions(qtr_policy *policy) {
   policy->board.starts = bytes[QTR_POLICY_STARTS];
   policy->board.rule = bytes[QTR_POLICY_RULE];
   policy->records = load32_le(bytes + QTR_POLICY_RECORDS);
+  policy->frame.cell_size_um = load32_le(bytes + QTR_POLICY_CELL_SIZE);
+  policy->frame.origin_x_um = (int64_t)load64_le(bytes + QTR_POLICY_ORIGIN_X);
+  policy->frame.origin_y_um = (int64_t)load64_le(bytes + QTR_POLICY_ORIGIN_Y);
   const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
   if (cells == 0 || policy->board.places == 0 || policy->board.seekers == 0) return QTR_ERR_CORRUPT;
   if (policy->board.starts == 0 || policy->board.starts > policy->board.seekers) return QTR_ERR_CORRUPT;
@@ -69,8 +72,14 @@ static int find_sections(qtr_policy *policy, uint32_t size) {
   return fixed + records == size ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
+/* So far from the map frame's origin that sums of coordinates might overflow is nowhere. */
+static bool is_on_earth(int64_t coordinate_um) {
+  return coordinate_um > -QTR_FRAME_LIMIT_UM && coordinate_um < QTR_FRAME_LIMIT_UM;
+}
+
 static int check_nodes(const qtr_policy *policy) {
   const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  if (!is_on_earth(policy->frame.origin_x_um) || !is_on_earth(policy->frame.origin_y_um)) return QTR_ERR_CORRUPT;
   for (uint32_t node = 0; node < (uint32_t)policy->board.places + policy->board.starts; node++) {
     const uint32_t cell = load32_le(policy->cells + 4 * node);
     if (cell >= cells || qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) return QTR_ERR_CORRUPT;

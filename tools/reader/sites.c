@@ -118,7 +118,7 @@ static int check_twins(const input *in, fault *why) {
       char first[INPUT_PATH_SIZE + 64], text[sizeof why->text];
       input_place_name(in, i, first, sizeof first);
       snprintf(text, sizeof text,
-               "place %d lies in the same cell as %.600s: column %u, row %u; drop one of them, or move it", j, first,
+               "place %d lies in the same cell as %.450s: column %u, row %u; drop one of them, or move it", j, first,
                (unsigned)(mission->place[j] % mission->columns), (unsigned)(mission->place[j] / mission->columns));
       return site_fault(in, in->place_origin[j], why, text);
     }

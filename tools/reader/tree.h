@@ -1,4 +1,4 @@
-/* A YAML document as a tree, with the line of every node and faults that name it. One user of libyaml, no other. */
+/* A YAML document as a tree, with the line of every node and faults that name it. libyaml stays behind this interface. */
 #ifndef QUARTER_READER_TREE_H
 #define QUARTER_READER_TREE_H
 

@@ -1,0 +1,36 @@
+/* Local search on a division of the places: each seeker's route, improved until no single change betters it, then shaken
+ * and improved again. It gives the learner good games to start from; what they are worth is found by playing them.
+ *
+ * Seekers do not hinder one another, so under the free rule any division of the places and any orders are a game that can
+ * be played, and its worth is the sum over the routes.
+ */
+#ifndef QUARTER_REFINE_H
+#define QUARTER_REFINE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "quarter/config.h"
+#include "quarter/game.h"
+
+typedef struct {
+  uint16_t length[QTR_MAX_SEEKERS];
+  uint16_t place[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
+  double worth[QTR_MAX_SEEKERS];                   /* of each route, under the mission's objective */
+} qtr_routes;
+
+/* Caller's memory for the search. */
+typedef struct {
+  qtr_routes best;
+  uint16_t a[QTR_MAX_PLACES]; /* routes being tried */
+  uint16_t b[QTR_MAX_PLACES];
+  uint64_t random;
+} qtr_refinery;
+
+/* The worth of one seeker's route: -HUGE_VAL if a place on it cannot be reached. */
+double qtr_route_worth(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length);
+
+/* Improve `routes` (their worths need not be set), with `rounds` of shaking; `seed` decides how they shake. */
+void qtr_refine(qtr_refinery *refinery, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed);
+
+#endif

@@ -1,0 +1,213 @@
+#include "quarter/refine.h"
+
+#include <math.h>
+#include <string.h>
+
+#define SEGMENT_MOST 3 /* places that are moved together */
+#define WORTHLESS (-1e300)
+#define SHAKES_MOST 3  /* random moves in a round */
+
+double qtr_route_worth(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length) {
+  unsigned node = (unsigned)game->board.places + game->board.start_of[seeker];
+  double worth = 0.0;
+  qtr_steps now = 0;
+  for (unsigned i = 0; i < length; i++) {
+    const qtr_steps steps = qtr_board_steps(&game->board, node, places[i]);
+    if (steps == QTR_NEVER) return -HUGE_VAL;
+    now += steps;
+    worth += qtr_game_worth(game, places[i], now);
+    node = places[i];
+  }
+  return worth;
+}
+
+/* Better by more than rounding, so that the search ends. */
+static bool is_better(double after, double before) {
+  return after > before + 1e-12 * (fabs(before) + 1.0);
+}
+
+static void set_route(qtr_routes *routes, unsigned seeker, const uint16_t *places, unsigned length, double worth) {
+  memcpy(routes->place[seeker], places, length * sizeof *places);
+  routes->length[seeker] = (uint16_t)length;
+  routes->worth[seeker] = worth;
+}
+
+/* ---- moves: each is tried in the refinery's scratch and kept if it betters the sum ---- */
+
+static unsigned append(uint16_t *route, unsigned length, const uint16_t *places, unsigned count) {
+  for (unsigned i = 0; i < count; i++) route[length + i] = places[i];
+  return length + count;
+}
+
+static unsigned append_reversed(uint16_t *route, unsigned length, const uint16_t *places, unsigned count) {
+  for (unsigned i = 0; i < count; i++) route[length + i] = places[count - 1 - i];
+  return length + count;
+}
+
+static bool keep_one(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker, unsigned length) {
+  const double worth = qtr_route_worth(game, seeker, r->a, length);
+  if (!is_better(worth, routes->worth[seeker])) return false;
+  set_route(routes, seeker, r->a, length, worth);
+  return true;
+}
+
+static bool keep_two(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned first_length,
+                     unsigned second, unsigned second_length) {
+  const double first_worth = qtr_route_worth(game, first, r->a, first_length);
+  const double second_worth = qtr_route_worth(game, second, r->b, second_length);
+  if (!is_better(first_worth + second_worth, routes->worth[first] + routes->worth[second])) return false;
+  set_route(routes, first, r->a, first_length, first_worth);
+  set_route(routes, second, r->b, second_length, second_worth);
+  return true;
+}
+
+/* Turn the places from..to-1 of a route round. */
+static bool try_reverse(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker, unsigned from,
+                        unsigned to) {
+  const uint16_t *route = routes->place[seeker];
+  unsigned length = append(r->a, 0, route, from);
+  length = append_reversed(r->a, length, route + from, to - from);
+  length = append(r->a, length, route + to, routes->length[seeker] - to);
+  return keep_one(r, routes, game, seeker, length);
+}
+
+/* Move `count` places at `from` to where `at` others of the same route come before them. */
+static bool try_shift(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker, unsigned from,
+                      unsigned count, unsigned at) {
+  const uint16_t *route = routes->place[seeker];
+  uint16_t *rest = r->b;
+  unsigned left = append(rest, 0, route, from);
+  left = append(rest, left, route + from + count, routes->length[seeker] - from - count);
+  unsigned length = append(r->a, 0, rest, at);
+  length = append(r->a, length, route + from, count);
+  length = append(r->a, length, rest + at, left - at);
+  return keep_one(r, routes, game, seeker, length);
+}
+
+/* Exchange the places from..from+count-1 of one route for at..at+other-1 of another. With other = 0 they move over; with
+ * both up to the ends the tails change hands. */
+static bool try_exchange(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned from,
+                         unsigned count, unsigned second, unsigned at, unsigned other) {
+  const uint16_t *x = routes->place[first];
+  const uint16_t *y = routes->place[second];
+  unsigned a = append(r->a, 0, x, from);
+  a = append(r->a, a, y + at, other);
+  a = append(r->a, a, x + from + count, routes->length[first] - from - count);
+  unsigned b = append(r->b, 0, y, at);
+  b = append(r->b, b, x + from, count);
+  b = append(r->b, b, y + at + other, routes->length[second] - at - other);
+  return keep_two(r, routes, game, first, a, second, b);
+}
+
+/* ---- neighbourhoods: true if something was bettered ---- */
+
+static bool search_shifts(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker) {
+  const unsigned length = routes->length[seeker];
+  for (unsigned count = 1; count <= SEGMENT_MOST && count < length; count++)
+    for (unsigned from = 0; from + count <= length; from++)
+      for (unsigned at = 0; at + count <= length; at++)
+        if (at != from && try_shift(r, routes, game, seeker, from, count, at)) return true;
+  return false;
+}
+
+static bool search_reversals(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker) {
+  for (unsigned from = 0; from + 1 < routes->length[seeker]; from++)
+    for (unsigned to = from + 2; to <= routes->length[seeker]; to++)
+      if (try_reverse(r, routes, game, seeker, from, to)) return true;
+  return false;
+}
+
+static bool search_exchanges_of(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned from,
+                                unsigned count, unsigned second) {
+  for (unsigned at = 0; at <= routes->length[second]; at++)
+    for (unsigned other = 0; other <= 1 && at + other <= routes->length[second]; other++)
+      if (try_exchange(r, routes, game, first, from, count, second, at, other)) return true;
+  return false;
+}
+
+static bool search_exchanges(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first,
+                             unsigned second) {
+  for (unsigned count = 1; count <= SEGMENT_MOST; count++)
+    for (unsigned from = 0; from + count <= routes->length[first]; from++)
+      if (search_exchanges_of(r, routes, game, first, from, count, second)) return true;
+  return false;
+}
+
+static bool search_tails(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned second) {
+  for (unsigned from = 0; from <= routes->length[first]; from++)
+    for (unsigned at = 0; at <= routes->length[second]; at++)
+      if (try_exchange(r, routes, game, first, from, routes->length[first] - from, second, at,
+                       routes->length[second] - at))
+        return true;
+  return false;
+}
+
+static bool search_pair(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned second) {
+  if (first == second) return search_shifts(r, routes, game, first) || search_reversals(r, routes, game, first);
+  return search_exchanges(r, routes, game, first, second) ||
+         (first < second && search_tails(r, routes, game, first, second));
+}
+
+static void descend(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
+  const unsigned seekers = game->board.seekers;
+  unsigned settled = 0;
+  /* Round the pairs of routes until each has been seen since the last gain. */
+  for (unsigned pair = 0; settled < seekers * seekers; pair = (pair + 1) % (seekers * seekers)) {
+    settled++;
+    while (search_pair(r, routes, game, pair / seekers, pair % seekers)) settled = 0;
+  }
+}
+
+/* ---- shaking ---- */
+
+static unsigned draw(qtr_refinery *r, unsigned below) {
+  r->random = r->random * 6364136223846793005u + 1442695040888963407u;
+  return (unsigned)((r->random >> 33) % below);
+}
+
+/* Take a few places out of one route and put them somewhere into another, better or not. */
+static void shake(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
+  const unsigned seekers = game->board.seekers;
+  const unsigned first = draw(r, seekers);
+  const unsigned second = draw(r, seekers);
+  const unsigned length = routes->length[first];
+  if (length == 0) return;
+  const unsigned from = draw(r, length);
+  const unsigned most = length - from < SEGMENT_MOST ? length - from : SEGMENT_MOST;
+  const unsigned count = 1 + draw(r, most);
+  routes->worth[first] = WORTHLESS;
+  if (first == second) {
+    try_shift(r, routes, game, first, from, count, draw(r, length - count + 1));
+  } else {
+    try_exchange(r, routes, game, first, from, count, second, draw(r, routes->length[second] + 1u), 0);
+  }
+  routes->worth[first] = qtr_route_worth(game, first, routes->place[first], routes->length[first]);
+}
+
+static double sum_worth(qtr_routes *routes, const qtr_game *game) {
+  double sum = 0.0;
+  for (unsigned seeker = 0; seeker < game->board.seekers; seeker++) {
+    routes->worth[seeker] = qtr_route_worth(game, seeker, routes->place[seeker], routes->length[seeker]);
+    sum += routes->worth[seeker];
+  }
+  return sum;
+}
+
+void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed) {
+  r->random = seed * 0x9E3779B97F4A7C15u + 1u;
+  sum_worth(routes, game);
+  descend(r, routes, game);
+  double best = sum_worth(routes, game);
+  r->best = *routes;
+  for (unsigned round = 0; round < rounds; round++) {
+    for (unsigned shakes = 1 + draw(r, SHAKES_MOST); shakes > 0; shakes--) shake(r, routes, game);
+    descend(r, routes, game);
+    const double worth = sum_worth(routes, game);
+    if (is_better(worth, best)) {
+      best = worth;
+      r->best = *routes;
+    } else {
+      *routes = r->best;
+    }
+  }
+}

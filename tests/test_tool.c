@@ -1,0 +1,258 @@
+/* The host tool from outside: exit statuses, files whole or absent, JSON, and every bad input told in one clear line. */
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tool_run.h"
+
+#define SMALL "S...\n#1.3\n...#\n1...\n"
+
+static tool_result result, other;
+
+void setUp(void) {
+  write_file("small.txt", SMALL);
+  remove("t.qtr");
+  remove("t.c");
+  remove("t.json");
+}
+
+void tearDown(void) {}
+
+static int exists(const char *path) {
+  struct stat about;
+  return stat(path, &about) == 0;
+}
+
+/* Exit status 2, one line on standard error that holds both words, nothing on standard output. */
+static void expect_refusal(const char *word, const char *mend) {
+  TEST_ASSERT_EQUAL_INT_MESSAGE(2, result.status, result.err);
+  TEST_ASSERT_EQUAL_STRING_MESSAGE("", result.out, result.err);
+  const char *line_end = strchr(result.err, '\n');
+  TEST_ASSERT_NOT_NULL_MESSAGE(line_end, result.err);
+  TEST_ASSERT_EQUAL_STRING_MESSAGE("", line_end + 1, "more than one line");
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(result.err, word), result.err);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(result.err, mend), result.err);
+}
+
+static void expect_bad_drawing(const char *drawing, const char *word) {
+  write_file("bad.txt", drawing);
+  run_tool(&result, "learn bad.txt -o t.qtr --c t.c --json=t.json");
+  expect_refusal("bad.txt", word);
+  TEST_ASSERT_FALSE(exists("t.qtr") || exists("t.c") || exists("t.json"));
+}
+
+static void expect_bad_mission(const char *mission, const char *word) {
+  write_file("bad.yaml", mission);
+  run_tool(&result, "learn bad.yaml -o t.qtr");
+  expect_refusal("bad.yaml", word);
+  TEST_ASSERT_FALSE(exists("t.qtr"));
+}
+
+/* ---- what it does ---- */
+
+static void test_learning_writes_a_table_that_simulates_to_the_same_value(void) {
+  run_tool(&result, "learn small.txt --robots 2 -o t.qtr --c t.c --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  run_tool(&other, "simulate t.qtr --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, other.status, other.err);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-8, json_value(result.out, "value"), json_value(other.out, "value"));
+  TEST_ASSERT_DOUBLE_WITHIN(1e-8, json_value(result.out, "expected_time"), json_value(other.out, "expected_time"));
+  TEST_ASSERT_EQUAL_DOUBLE(0.0, json_value(other.out, "off_table"));
+  TEST_ASSERT_TRUE(exists("t.c"));
+}
+
+static void test_json_has_every_documented_key(void) {
+  static const char *const keys[] = {"cells",     "places",  "robots",        "objective",       "gamma",     "rule",
+                                     "value",     "gap",     "expected_time", "objective_value", "certified", "episodes",
+                                     "updates",   "q_bytes", "q_entries",     "objective_bound", "seconds",   "seed",
+                                     "routes",    "seeker",  "steps"};
+  run_tool(&result, "learn small.txt --robots 2 --json");
+  run_tool(&other, "exact small.txt --robots 2 --json");
+  for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+    json_text(result.out, keys[i]);
+    json_text(other.out, keys[i]);
+  }
+}
+
+static void test_a_run_repeats_to_the_byte(void) {
+  static char first[1 << 16];
+  run_tool(&result, "learn small.txt --robots 2 --quiet --c t.c");
+  read_text("t.c", first, sizeof first);
+  run_tool(&result, "learn small.txt --robots 2 --quiet --c t.c");
+  read_text("t.c", result.out, sizeof result.out);
+  TEST_ASSERT_EQUAL_STRING(first, result.out);
+}
+
+static void test_progress_and_report_keep_quiet_in_a_pipe(void) {
+  run_tool(&result, "learn small.txt --robots 2 --quiet -o t.qtr");
+  TEST_ASSERT_EQUAL_INT(0, result.status);
+  TEST_ASSERT_EQUAL_STRING("", result.out);
+  TEST_ASSERT_EQUAL_STRING("", result.err);
+}
+
+static void test_a_target_ends_the_game_when_it_is_found(void) {
+  run_tool(&result, "learn small.txt --robots 2 -o t.qtr");
+  run_tool(&result, "simulate t.qtr --target 2 --json");
+  TEST_ASSERT_TRUE(json_value(result.out, "found_step") > 0.0);
+  TEST_ASSERT_EQUAL_DOUBLE(1.0, json_value(result.out, "found_signals"));
+}
+
+static void test_a_survivor_takes_over_what_a_lost_robot_leaves(void) {
+  run_tool(&result, "learn small.txt --robots 2 -o t.qtr");
+  run_tool(&result, "simulate t.qtr --lost 0@0 --json");
+  TEST_ASSERT_TRUE(json_is(result.out, "unvisited", "[]"));
+}
+
+static void test_pictures_of_missions_and_tables(void) {
+  run_tool(&result, "learn small.txt --robots 2 -o t.qtr");
+  run_tool(&result, "draw t.qtr -o t.svg");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  run_tool(&result, "draw small.txt -o s.svg");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+}
+
+/* Ctrl-C before the search has begun: the signal is pending, and is taken as soon as the tool is ready for it. */
+static int run_interrupted(const char *mission) {
+  sigset_t interrupt;
+  int status = 0;
+  const pid_t child = fork();
+  if (child == 0) {
+    sigemptyset(&interrupt);
+    sigaddset(&interrupt, SIGINT);
+    sigprocmask(SIG_BLOCK, &interrupt, NULL);
+    raise(SIGINT);
+    execl(QUARTER_TOOL, "quarter", "learn", mission, "--robots", "8", "--gap", "0", "--quiet", "-o", "t.qtr", (char *)NULL);
+    _exit(127);
+  }
+  TEST_ASSERT_TRUE(child > 0 && waitpid(child, &status, 0) == child);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static void test_interrupting_still_writes_the_best_policy(void) {
+  TEST_ASSERT_EQUAL_INT(130, run_interrupted(QUARTER_SOURCE_DIR "/tests/data/long.txt"));
+  run_tool(&result, "inspect t.qtr --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  TEST_ASSERT_TRUE(json_is(result.out, "certified", "false"));
+}
+
+static void test_unreachable_places_are_named_or_left_out(void) {
+  write_file("split.txt", "S.1#1\n...#3\n");
+  run_tool(&result, "learn split.txt -o t.qtr");
+  expect_refusal("place 1", "--skip-unreachable");
+  TEST_ASSERT_NOT_NULL(strstr(result.err, "place 2"));
+  TEST_ASSERT_FALSE(exists("t.qtr"));
+  run_tool(&result, "learn split.txt --skip-unreachable --json");
+  TEST_ASSERT_EQUAL_INT(0, result.status);
+  TEST_ASSERT_EQUAL_DOUBLE(1.0, json_value(result.out, "places"));
+  TEST_ASSERT_NOT_NULL(strstr(result.err, "place 2"));
+}
+
+/* ---- bad input ---- */
+
+static void test_bad_drawings(void) {
+  expect_bad_drawing("", "empty");
+  expect_bad_drawing("S..\n.1\n", "2");
+  expect_bad_drawing("S.?\n.1.\n", "?");
+  expect_bad_drawing("...\n.1.\n", "S");
+  expect_bad_drawing("S..\n...\n", "place");
+}
+
+static void test_bad_missions(void) {
+  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 0, row: 1, weight: 1}]\n",
+                     "place 0");
+  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 9, row: 1, weight: 1}]\n", "bad.yaml:3");
+  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: 1},\n"
+                     "  {column: 1, row: 1, weight: 2}]\n", "place 1");
+  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: 0}]\n", "weight");
+  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: .nan}]\n",
+                     "weight");
+  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: 1e999}]\n",
+                     "weight");
+  expect_bad_mission("map: small.txt\nrobots: []\nplaces: [{column: 1, row: 1}]\n", "robots");
+  expect_bad_mission("map: small.txt\ngamma: 1\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1}]\n", "gamma");
+  expect_bad_mission("map: small.txt\nrobtos: [{column: 0, row: 0}]\n", "robtos");
+  expect_bad_mission("map: nowhere.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1}]\n", "nowhere.txt");
+  expect_bad_mission("map: [1\n", "bad.yaml:");
+}
+
+static void test_more_than_the_build_holds(void) {
+  static char drawing[1024] = "S";
+  memset(drawing + 1, '1', 200);
+  drawing[201] = '\0';
+  expect_bad_drawing(drawing, "QTR_MAX_PLACES");
+  run_tool(&result, "learn small.txt --robots 99");
+  expect_refusal("QTR_MAX_SEEKERS", "--robots");
+}
+
+static void test_bad_words_on_the_command_line(void) {
+  run_tool(&result, "learn");
+  expect_refusal("quarter", "--help");
+  run_tool(&result, "learn small.txt --frobnicate");
+  expect_refusal("--frobnicate", "--help");
+  run_tool(&result, "learn small.txt --target 1");
+  expect_refusal("--target", "--help");
+  run_tool(&result, "learn small.txt --robots 0");
+  expect_refusal("--robots", "1");
+  run_tool(&result, "learn small.txt --gamma 1");
+  expect_refusal("--gamma", "below 1");
+  run_tool(&result, "learn small.txt --gamma nan");
+  expect_refusal("--gamma", "below 1");
+  run_tool(&result, "learn small.txt --objective speed");
+  expect_refusal("speed", "time");
+  run_tool(&result, "learn small.txt small.txt");
+  expect_refusal("small.txt", "one input");
+  run_tool(&result, "fly small.txt");
+  expect_refusal("fly", "--help");
+  run_tool(&result, "learn nowhere.txt -o t.qtr");
+  expect_refusal("nowhere.txt", "no such file");
+}
+
+static void test_outputs_that_cannot_be_written(void) {
+  run_tool(&result, "learn small.txt --robots 2 -o nowhere/t.qtr");
+  expect_refusal("nowhere/t.qtr", "folder");
+  run_tool(&result, "learn small.txt --robots 2 -o .");
+  expect_refusal(".", "name a file");
+  run_tool(&result, "learn small.txt --robots 2 --quiet -o /dev/full");
+  expect_refusal("/dev/full", "space");
+  TEST_ASSERT_TRUE(access("/dev/full", W_OK) == 0);
+  run_tool(&result, "learn small.txt --robots 2 --json=/dev/full");
+  expect_refusal("/dev/full", "space");
+}
+
+static void test_tables_that_are_none(void) {
+  run_tool(&result, "simulate small.txt");
+  expect_refusal("small.txt", "not a Quarter policy table");
+  run_tool(&result, "learn small.txt --robots 2 -o t.qtr --quiet");
+  TEST_ASSERT_EQUAL_INT(0, system("head -c 200 t.qtr >cut.qtr"));
+  run_tool(&result, "inspect cut.qtr");
+  expect_refusal("cut.qtr", "cut short");
+  TEST_ASSERT_EQUAL_INT(0, system("{ head -c 150 t.qtr; printf X; tail -c +152 t.qtr; } >flipped.qtr"));
+  run_tool(&result, "simulate flipped.qtr");
+  expect_refusal("flipped.qtr", "checksum");
+  run_tool(&result, "simulate t.qtr --lost 7@1");
+  expect_refusal("--lost", "seekers 0 to 1");
+  run_tool(&result, "simulate t.qtr --target 3");
+  expect_refusal("--target", "places 0 to 2");
+  run_tool(&result, "simulate t.qtr --late 1");
+  expect_refusal("--late", "SEEKER:+STEPS");
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_learning_writes_a_table_that_simulates_to_the_same_value);
+  RUN_TEST(test_json_has_every_documented_key);
+  RUN_TEST(test_a_run_repeats_to_the_byte);
+  RUN_TEST(test_progress_and_report_keep_quiet_in_a_pipe);
+  RUN_TEST(test_a_target_ends_the_game_when_it_is_found);
+  RUN_TEST(test_a_survivor_takes_over_what_a_lost_robot_leaves);
+  RUN_TEST(test_pictures_of_missions_and_tables);
+  RUN_TEST(test_interrupting_still_writes_the_best_policy);
+  RUN_TEST(test_unreachable_places_are_named_or_left_out);
+  RUN_TEST(test_bad_drawings);
+  RUN_TEST(test_bad_missions);
+  RUN_TEST(test_more_than_the_build_holds);
+  RUN_TEST(test_bad_words_on_the_command_line);
+  RUN_TEST(test_outputs_that_cannot_be_written);
+  RUN_TEST(test_tables_that_are_none);
+  return UNITY_END();
+}

@@ -1,0 +1,199 @@
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands.h"
+#include "draw_svg.h"
+#include "outfile.h"
+#include "problem.h"
+#include "table.h"
+
+static const char help[] =
+    "quarter draw mission.qtr -o mission.svg            the map, the places, each seeker's territory and route\n"
+    "quarter draw mission.yaml -o map.svg               the map, places and starts alone, before learning\n"
+    "\n"
+    "Places are sized by likelihood and numbered in the order of their seeker's route; a browser shows each one's own\n"
+    "number on pointing at it. '-o -' is standard output.\n"
+    "\n"
+    "  -o, --output FILE        the SVG picture (required)\n"
+    "      --robots K, --cell-size M, --skip-unreachable     as in 'quarter learn', for inputs\n"
+    "  -q, --quiet              say nothing\n"
+    "\n"
+    "Exit status: 0 done; 2 bad input, nothing written.\n";
+
+static const option_set set = {"draw", " output quiet robots cell-size skip-unreachable "};
+
+#define LINES_MOST 8
+#define LINE_SIZE 96
+
+/* All that a drawing points to. */
+typedef struct {
+  drawing d;
+  uint8_t *cost;
+  qtr_cell place[QTR_MAX_PLACES];
+  double likelihood[QTR_MAX_PLACES];
+  drawing_seeker seeker[QTR_MAX_SEEKERS];
+  table_route route[QTR_MAX_SEEKERS];
+  qtr_cell *trail[QTR_MAX_SEEKERS];
+  char text[LINES_MOST][LINE_SIZE];
+  const char *line[LINES_MOST];
+} sheet;
+
+static sheet picture;
+static problem drawn;
+static qtr_field way;
+
+static void __attribute__((format(printf, 2, 3))) add_line(sheet *s, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(s->text[s->d.lines], LINE_SIZE, format, arguments);
+  va_end(arguments);
+  s->line[s->d.lines] = s->text[s->d.lines];
+  s->d.lines++;
+}
+
+static void set_arrays(sheet *s) {
+  s->d.place = s->place;
+  s->d.likelihood = s->likelihood;
+  s->d.seeker = s->seeker;
+  s->d.line = s->line;
+}
+
+static void free_sheet(sheet *s) {
+  free(s->cost);
+  for (int i = 0; i < QTR_MAX_SEEKERS; i++) free(s->trail[i]);
+}
+
+/* ---- an input ---- */
+
+static int from_input(sheet *s, const options *o, fault *why) {
+  const qtr_mission *mission = &drawn.in.mission;
+  if (problem_read(&drawn, o, why) != 0) return -1;
+  const size_t cells = (size_t)mission->columns * mission->rows;
+  s->cost = malloc(cells);
+  if (s->cost == NULL) return fault_set(why, "%s: no memory for the picture", o->input);
+  s->d.cost = s->cost;
+  memcpy(s->cost, mission->cost, cells);
+  s->d.columns = mission->columns;
+  s->d.rows = mission->rows;
+  s->d.cell_size = drawn.in.frame.metric ? drawn.in.frame.cell_size : 0.0;
+  s->d.places = mission->places;
+  memcpy(s->place, mission->place, sizeof s->place);
+  memcpy(s->likelihood, mission->weight, sizeof s->likelihood);
+  s->d.seekers = mission->seekers;
+  for (int i = 0; i < mission->seekers; i++) s->seeker[i] = (drawing_seeker){.start = mission->start[i]};
+  add_line(s, "places\t%d", mission->places);
+  add_line(s, "free cells\t%" PRIu32, problem_free_cells(&drawn));
+  return 0;
+}
+
+/* ---- a table ---- */
+
+/* The cells that a seeker walks, its route's last place the last. */
+static int walk(sheet *s, const table *t, int seeker, fault *why) {
+  const table_route *route = &s->route[seeker];
+  size_t room = 1;
+  for (int i = 0; i < route->places; i++) room += 1u + (i > 0 ? route->step[i] - route->step[i - 1] : route->step[i]);
+  s->trail[seeker] = malloc(room * sizeof(qtr_cell));
+  if (s->trail[seeker] == NULL) return fault_set(why, "no memory for seeker %d's route", seeker);
+  qtr_cell cell = s->seeker[seeker].start;
+  size_t length = 0;
+  s->trail[seeker][length++] = cell;
+  for (int i = 0; i < route->places; i++) {
+    const qtr_cell goal = qtr_policy_cell(&t->policy, route->place[i]);
+    qtr_field_fill(&way, &t->policy.grid, goal);
+    while (cell != goal && length < room) {
+      cell = qtr_field_next(&way, &t->policy.grid, cell);
+      if (cell == QTR_NO_CELL) return fault_set(why, "the table's travel times do not fit its map; learn it again");
+      s->trail[seeker][length++] = cell;
+    }
+  }
+  s->seeker[seeker].trail = s->trail[seeker];
+  s->seeker[seeker].trail_length = length;
+  return 0;
+}
+
+static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {
+  const qtr_board *board = &t->policy.board;
+  s->seeker[seeker] = (drawing_seeker){
+      .start = qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[seeker]),
+      .places = s->route[seeker].places,
+      .place = s->route[seeker].place,
+      .step = s->route[seeker].step};
+  return walk(s, t, seeker, why);
+}
+
+static void add_certificate(sheet *s, const table *t) {
+  const table_certificate c = table_certificate_of(t);
+  add_line(s, c.certified ? "certified\tgap %.2g%%" : "not certified\tgap %.2g%%", 100.0 * c.gap);
+  add_line(s, "expected time\t%.5g steps", c.expected_time);
+  add_line(s, "discounted value\t%.5g", c.value);
+  add_line(s, c.by_time ? "no less time than\t%.5g steps" : "no more value than\t%.5g", c.bound);
+}
+
+static int from_table(sheet *s, const table *t, fault *why) {
+  const qtr_policy *policy = &t->policy;
+  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  s->cost = malloc(cells);
+  if (s->cost == NULL) return fault_set(why, "no memory for the picture");
+  s->d.cost = s->cost;
+  for (uint32_t cell = 0; cell < cells; cell++) s->cost[cell] = (uint8_t)qtr_grid_cost(&policy->grid, cell);
+  s->d.columns = policy->grid.columns;
+  s->d.rows = policy->grid.rows;
+  s->d.cell_size = policy->frame.cell_size_um / 1e6;
+  s->d.places = policy->board.places;
+  for (unsigned place = 0; place < policy->board.places; place++) {
+    s->place[place] = qtr_policy_cell(policy, place);
+    s->likelihood[place] = table_probability(t, place);
+  }
+  s->d.seekers = policy->board.seekers;
+  table_routes(t, s->route);
+  add_certificate(s, t);
+  for (int seeker = 0; seeker < s->d.seekers; seeker++)
+    if (add_seeker(s, t, seeker, why) != 0) return -1;
+  return 0;
+}
+
+/* ---- the command ---- */
+
+static int write_picture(const sheet *s, const options *o, fault *why) {
+  outfile out;
+  if (outfile_open(&out, o->output, why) != 0) return -1;
+  if (draw_svg(out.file, &s->d) != 0) {
+    outfile_abort(&out);
+    return fault_set(why, "%s: cannot be drawn: no memory, or a route that leaves its map", o->input);
+  }
+  return outfile_commit(&out, why);
+}
+
+static const char *base_name(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash != NULL ? slash + 1 : path;
+}
+
+static int draw(const options *o, fault *why) {
+  table t;
+  int status;
+  if (o->output == NULL) return fault_set(why, "quarter draw: say where to with -o FILE.svg");
+  set_arrays(&picture);
+  if (table_is_one(o->input)) {
+    if (table_read(&t, o->input, why) != 0) return -1;
+    status = from_table(&picture, &t, why);
+    table_free(&t);
+  } else {
+    status = from_input(&picture, o, why);
+  }
+  picture.d.title = drawn.in.name[0] != '\0' ? drawn.in.name : base_name(o->input);
+  return status == 0 ? write_picture(&picture, o, why) : -1;
+}
+
+int command_draw(int argc, char **argv) {
+  static options o;
+  fault why;
+  if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
+  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  const int status = draw(&o, &why);
+  free_sheet(&picture);
+  return status == 0 ? EXIT_SUCCESS : fault_exit(&why);
+}

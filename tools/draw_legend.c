@@ -1,0 +1,166 @@
+#include <math.h>
+#include <string.h>
+
+#include "draw_parts.h"
+
+enum { SEEKER_ROW = 24, LINE_ROW = 19, SIZES_ROW = 52, KEY_ROW = 28, GAP = 14 };
+
+static void seeker_text(char text[80], const drawing_seeker *s) {
+  if (s->places == 0)
+    snprintf(text, 80, "no place: stands down");
+  else
+    snprintf(text, 80, "%d place%s, last at step %lu", s->places, s->places == 1 ? "" : "s",
+             (unsigned long)s->step[s->places - 1]);
+}
+
+static bool has_slow_ground(const drawing *d, int *slowest) {
+  *slowest = 1;
+  for (size_t cell = 0; cell < (size_t)d->columns * d->rows; cell++)
+    if (d->cost[cell] > *slowest) *slowest = d->cost[cell];
+  return *slowest > 1;
+}
+
+static int key_height(const drawing *d) {
+  int slowest;
+  return (d->places > 0 ? SIZES_ROW : 0) + (has_slow_ground(d, &slowest) ? KEY_ROW : 0) +
+         (d->cell_size > 0 ? KEY_ROW : 0);
+}
+
+double draw_legend_width(const draw_page *page) {
+  double width = 236;
+  for (int l = 0; l < page->d->lines; l++) width = fmax(width, draw_text_width(page->d->line[l], 13) + 12);
+  return fmin(width, 420);
+}
+
+double draw_legend_height(const draw_page *page) {
+  const drawing *d = page->d;
+  return SEEKER_ROW * d->seekers + (d->lines > 0 ? GAP + LINE_ROW * d->lines : 0) + GAP + key_height(d);
+}
+
+static void put_text(const draw_page *page, double x, double y, const char *attributes, const char *text, int most) {
+  fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\"%s>", x, y, attributes);
+  draw_text(page->out, text, most);
+  fputs("</text>\n", page->out);
+}
+
+static double draw_seekers(const draw_page *page, double y) {
+  for (int seeker = 0; seeker < page->d->seekers; seeker++, y += SEEKER_ROW) {
+    char text[80], colour[8];
+    seeker_text(text, &page->d->seeker[seeker]);
+    fprintf(page->out, "<path stroke=\"%s\" stroke-width=\"3\" stroke-linecap=\"round\"%s d=\"M%.2f %.2fh28\"/>\n",
+            draw_colour(colour, seeker), draw_dashes(seeker), page->legend_x + 22, y + 9);
+    fputs("<g text-anchor=\"middle\" font-weight=\"bold\">", page->out);
+    draw_badge(page, seeker, page->legend_x + 9, y + 9, 17);
+    fputs("</g>", page->out);
+    put_text(page, page->legend_x + 60, y + 13.5, "", text, 80);
+  }
+  return y;
+}
+
+static void draw_rule(const draw_page *page, double y) {
+  fprintf(page->out, "<path stroke=\"%s\" stroke-opacity=\"0.25\" d=\"M%.2f %.2fh%.2f\"/>\n", DRAW_INK, page->legend_x,
+          y, page->legend_width);
+}
+
+/* "name<tab>value" with the value at the right edge, or a line as it is. */
+static void draw_line(const draw_page *page, double y, const char *line) {
+  char name[160];
+  const char *tab = strchr(line, '\t');
+  const int most = (int)(page->legend_width / (0.58 * 13));
+  if (tab == NULL) {
+    put_text(page, page->legend_x, y, "", line, most);
+    return;
+  }
+  snprintf(name, sizeof name, "%.*s", (int)(tab - line), line);
+  put_text(page, page->legend_x, y, " fill=\"" DRAW_MUTED "\"", name, most);
+  put_text(page, page->legend_x + page->legend_width, y, " text-anchor=\"end\"", tab + 1, most);
+}
+
+static double draw_lines(const draw_page *page, double y) {
+  if (page->d->lines == 0) return y;
+  draw_rule(page, y + GAP / 2.0 - 2);
+  y += GAP;
+  for (int l = 0; l < page->d->lines; l++, y += LINE_ROW) draw_line(page, y + 13, page->d->line[l]);
+  return y;
+}
+
+/* ---- the key ---- */
+
+static double likelihood_sum(const drawing *d) {
+  double sum = 0;
+  for (int p = 0; p < d->places; p++) sum += d->likelihood[p];
+  return sum;
+}
+
+static void draw_sizes(const draw_page *page, double y) {
+  double least = page->largest;
+  for (int p = 0; p < page->d->places; p++) least = fmin(least, page->d->likelihood[p]);
+  const double sum = likelihood_sum(page->d), middle = y + SIZES_ROW / 2.0 - 4;
+  const double shown[2] = {least, page->largest};
+  double x = page->legend_x;
+  for (int s = least < page->largest ? 0 : 1; s < 2; s++) {
+    char text[40];
+    const double radius = fmax(2.5, draw_radius(page, shown[s]));
+    fprintf(page->out,
+            "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.3\"/>\n",
+            x + radius + 1, middle, radius, DRAW_INK);
+    const double percent = 100 * shown[s] / sum;
+    snprintf(text, sizeof text, percent < 9.95 ? "%.2g %%" : "%.0f %%", percent);
+    put_text(page, x + 2 * radius + 8, middle + 4.5, "", text, 40);
+    x += 2 * radius + 18 + draw_text_width(text, 13);
+  }
+  put_text(page, x, middle + 4.5, " fill=\"" DRAW_MUTED "\"", "likelihood", 40);
+}
+
+static void draw_slow(const draw_page *page, double y, int slowest) {
+  char text[60];
+  snprintf(text, sizeof text, "slow, up to %d steps a cell", slowest);
+  fprintf(page->out,
+          "<rect x=\"%.2f\" y=\"%.2f\" width=\"22\" height=\"16\" fill=\"#fff\" stroke=\"%s\" stroke-opacity=\"0.5\"/>"
+          "<rect x=\"%.2f\" y=\"%.2f\" width=\"22\" height=\"16\" fill=\"url(#slow-key)\"/>\n",
+          page->legend_x, y + 2, DRAW_INK, page->legend_x, y + 2);
+  put_text(page, page->legend_x + 32, y + 14.5, " fill=\"" DRAW_MUTED "\"", text, 60);
+}
+
+/* 1, 2 or 5 times a power of ten, in metres: the longest that takes up to a third of the map or of the legend. */
+static double scale_length(const draw_page *page) {
+  static const double digits[] = {1, 2, 5};
+  const double most = fmin(page->width / 3, page->legend_width / 2) / page->cell * page->d->cell_size;
+  double best = 0;
+  for (int power = -3; power < 7; power++)
+    for (int n = 0; n < 3; n++)
+      if (digits[n] * pow(10, power) <= most) best = digits[n] * pow(10, power);
+  return best;
+}
+
+static void draw_scale(const draw_page *page, double y) {
+  char text[40];
+  const double metres = scale_length(page), pixels = metres / page->d->cell_size * page->cell;
+  if (metres <= 0) return;
+  fprintf(page->out,
+          "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.6\" d=\"M%.2f %.2fv8M%.2f %.2fh%.2fm0 -4v8\"/>\n",
+          DRAW_INK, page->legend_x + 1, y + 6, page->legend_x + 1, y + 10, pixels);
+  snprintf(text, sizeof text, "%g m", metres);
+  put_text(page, page->legend_x + pixels + 10, y + 14.5, " fill=\"" DRAW_MUTED "\"", text, 40);
+}
+
+static void draw_key(const draw_page *page, double y) {
+  int slowest;
+  if (key_height(page->d) > 0) draw_rule(page, y + GAP / 2.0 - 2);
+  y += GAP;
+  if (page->d->places > 0) {
+    draw_sizes(page, y);
+    y += SIZES_ROW;
+  }
+  if (has_slow_ground(page->d, &slowest)) {
+    draw_slow(page, y, slowest);
+    y += KEY_ROW;
+  }
+  if (page->d->cell_size > 0) draw_scale(page, y);
+}
+
+void draw_legend(const draw_page *page) {
+  fprintf(page->out, "<g id=\"legend\" font-size=\"13\" fill=\"%s\">\n", DRAW_INK);
+  draw_key(page, draw_lines(page, draw_seekers(page, page->y)));
+  fputs("</g>\n", page->out);
+}

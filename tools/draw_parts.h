@@ -1,0 +1,69 @@
+/* What the parts of a picture share. Private to draw_*.c. */
+#ifndef QUARTER_TOOLS_DRAW_PARTS_H
+#define QUARTER_TOOLS_DRAW_PARTS_H
+
+#include <stdbool.h>
+
+#include "draw_svg.h"
+
+#define DRAW_GROUND "#ffffff"
+#define DRAW_INK "#1f2a36"
+#define DRAW_MUTED "#5d6976"
+#define DRAW_WALL "#3d4a57"
+#define DRAW_SOLID "#d3d8dd" /* blocked, away from free cells */
+#define DRAW_SLOW "#8a6d3b"
+
+typedef struct {
+  double x, y;
+} draw_point;
+
+typedef struct {
+  FILE *out;
+  const drawing *d;
+  /* the part of the map that is shown, in cells, and where it goes, in pixels of the picture */
+  unsigned left, top, columns, rows;
+  double cell, x, y, width, height;
+  double legend_x, legend_width, page_width, page_height;
+  double largest;              /* likelihood */
+  int visitor[QTR_MAX_PLACES]; /* seeker; -1: nobody */
+  int visit[QTR_MAX_PLACES];   /* which of the seeker's visits, from 0 */
+  int lane[QTR_MAX_SEEKERS];   /* how far beside the cells' middles a trajectory runs */
+  uint16_t *layer;             /* scratch: a number for each cell of the map */
+  qtr_cell *queue;             /* scratch, as many */
+} draw_page;
+
+/* ---- draw_style.c ---- */
+
+/* "#rrggbb", from a palette that the colour-blind can tell apart (Okabe and Ito 2008), varied from the 8th seeker on. */
+const char *draw_colour(char text[8], int seeker);
+/* What to write in on that colour. */
+const char *draw_ink(int seeker);
+/* Of the seeker's lines: empty, or a stroke-dasharray attribute where colours come again. */
+const char *draw_dashes(int seeker);
+/* Text with what XML reserves escaped and what it cannot hold replaced; cut after `most` characters. */
+void draw_text(FILE *out, const char *text, int most);
+/* Width in pixels of a text, roughly. */
+double draw_text_width(const char *text, double size);
+/* Two decimals at most, no zeros at the end. */
+void draw_number(FILE *out, double number);
+
+/* ---- the parts, from the bottom to the top ---- */
+
+draw_point draw_centre(const draw_page *page, qtr_cell cell);
+double draw_radius(const draw_page *page, double likelihood);
+void draw_map(draw_page *page);
+void draw_trails(draw_page *page);
+void draw_starts(const draw_page *page);
+void draw_places(const draw_page *page);
+/* Lanes for the seekers' trajectories, so that no two run over one another. They stand in `layer` too: leave it alone
+ * until the trajectories are drawn. */
+void draw_assign_lanes(draw_page *page);
+/* How many lanes beside the middle a point of a trail lies. */
+int draw_lane(const draw_page *page, int seeker, size_t index);
+/* The square with the seeker's number, its middle at a point. */
+void draw_badge(const draw_page *page, int seeker, double x, double y, double size);
+void draw_legend(const draw_page *page);
+double draw_legend_height(const draw_page *page);
+double draw_legend_width(const draw_page *page);
+
+#endif

@@ -1,0 +1,38 @@
+/* A picture of a policy as SVG: the map, the places, each seeker's territory and trajectory, a legend. */
+#ifndef QUARTER_TOOLS_DRAW_SVG_H
+#define QUARTER_TOOLS_DRAW_SVG_H
+
+#include <stdio.h>
+
+#include "quarter/config.h"
+
+typedef struct {
+  qtr_cell start;
+  const qtr_cell *trail; /* cells walked, the start first; NULL: straight lines from place to place */
+  size_t trail_length;
+  int places;            /* that it visits */
+  const uint16_t *place; /* in order */
+  const qtr_steps *step; /* when it visits each */
+} drawing_seeker;
+
+/* Plain data; all pointers are the caller's. */
+typedef struct {
+  const char *title; /* NULL: none */
+  unsigned columns, rows;
+  const uint8_t *cost; /* of each cell: 0 blocked, 1 free, more: slow ground */
+  double cell_size;    /* metres a cell; 0: unknown */
+  int places;          /* 0..QTR_MAX_PLACES */
+  const qtr_cell *place;
+  const double *likelihood; /* of each place; any unit */
+  int seekers;
+  const drawing_seeker *seeker;
+  int lines;               /* of the certificate, for the legend */
+  const char *const *line; /* a tab parts what is named from its value */
+  const uint16_t *region;  /* of each cell, to draw the regions' borders; NULL: none */
+} drawing;
+
+/* Write the picture: the same drawing gives the same bytes. Text may hold anything. 0, or -1 if there is no memory or
+ * the drawing has a place, a start or a step of a trail off its map; errors of `out` are left to its owner. */
+int draw_svg(FILE *out, const drawing *d);
+
+#endif
