@@ -43,7 +43,8 @@ typedef struct {
   uint32_t slots;     /* in use */
   qtr_steps slot_steps; /* steps a slot */
   qtr_steps travel[QTR_MAX_NODES * QTR_MAX_PLACES];   /* as in the game, unpacked */
-  double late[QTR_MAX_PLACES];    /* gains past the last slot */
+  uint32_t slots_apart[QTR_MAX_NODES * QTR_MAX_PLACES]; /* the same in slots, rounded down */
+  double late[QTR_MAX_PLACES]; /* gains past the last slot */
   qtr_gain gain[QTR_BOUND_SLOTS * QTR_MAX_PLACES];
 } qtr_bound;
 

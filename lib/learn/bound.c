@@ -18,12 +18,15 @@ static const qtr_steps *travel_from(const qtr_bound *bound, unsigned node) {
 
 /* ---- the walks of one seeker ---- */
 
-/* What a walk from place or start `from` collects that comes to `place` at step `when`: it may not go straight back. */
-static double gain_at(const qtr_bound *bound, unsigned from, unsigned place, qtr_steps when) {
-  const uint32_t slot = when / bound->slot_steps;
+/* What a walk from place or start `from` collects that comes to `place` in `slot`: it may not go straight back. */
+static double gain_in(const qtr_bound *bound, unsigned from, unsigned place, uint32_t slot) {
   if (slot >= bound->slots) return bound->late[place];
   const qtr_gain *gain = &bound->gain[(size_t)slot * places_of(bound) + place];
   return gain->to == from ? gain->second : gain->best;
+}
+
+static double gain_at(const qtr_bound *bound, unsigned from, unsigned place, qtr_steps when) {
+  return gain_in(bound, from, place, bound->slot_steps == 1 ? when : when / bound->slot_steps);
 }
 
 /* All that is left, collected at once at the first step past the last slot. */
@@ -43,16 +46,15 @@ static void fill_late(qtr_bound *bound, const double *price) {
 
 static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned at, double net) {
   const unsigned places = places_of(bound);
-  const qtr_steps *travel = travel_from(bound, at);
-  const qtr_steps now = slot * bound->slot_steps;
+  const uint32_t *apart = bound->slots_apart + (size_t)at * places;
   qtr_gain *gain = &bound->gain[(size_t)slot * places + at];
   double best = 0.0;
   double second = 0.0;
   uint16_t to = QTR_STAND_DOWN;
   uint16_t other = QTR_STAND_DOWN;
   for (unsigned place = 0; place < places; place++) {
-    if (place == at || travel[place] == QTR_NEVER) continue;
-    const double on = gain_at(bound, at, place, now + travel[place]);
+    if (place == at || apart[place] == QTR_NEVER) continue;
+    const double on = gain_in(bound, at, place, slot + apart[place]);
     if (on <= second) continue;
     if (on > best) {
       second = best;
@@ -148,6 +150,13 @@ static void cut_time(qtr_bound *bound, qtr_steps last_visit) {
   bound->slots = (uint32_t)(slots < QTR_BOUND_SLOTS ? slots : QTR_BOUND_SLOTS);
 }
 
+static void measure_slots(qtr_bound *bound) {
+  const qtr_board *board = &bound->game->board;
+  const size_t pairs = (size_t)(board->places + board->starts) * board->places;
+  for (size_t i = 0; i < pairs; i++)
+    bound->slots_apart[i] = bound->travel[i] == QTR_NEVER ? QTR_NEVER : bound->travel[i] / bound->slot_steps;
+}
+
 void qtr_bound_init(qtr_bound *bound, const qtr_game *game, const qtr_steps *visit) {
   const qtr_board *board = &game->board;
   qtr_steps last = 0;
@@ -161,6 +170,7 @@ void qtr_bound_init(qtr_bound *bound, const qtr_game *game, const qtr_steps *vis
     if (visit[place] > last) last = visit[place];
   }
   cut_time(bound, last);
+  measure_slots(bound);
   bound->scale = SCALE_FIRST;
   bound->iterations = 0;
   bound->steps_without_gain = 0;
