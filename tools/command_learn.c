@@ -32,6 +32,10 @@ static const char help[] =
     "      --time-limit S       stop after this many seconds\n"
     "      --episodes N         stop after this many games\n"
     "      --seed N             of random choices (default 1); the certified setting makes none\n"
+    "      --learner SETTING    certified (the default) or paper: Q from 0, exploring, as the paper learns\n"
+    "      --explore PLAN       paper setting: KIND:FIRST:LAST:DECAY, KIND being uniform, epsilon or softmax; the rate\n"
+    "                           (epsilon, or softmax's temperature) is DECAYed every game (default epsilon:0.3:0.3:1)\n"
+    "      --alpha A            paper setting: learning rate, above 0 up to 1 (default 1)\n"
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no progress, no report but JSON\n"
     "\n"
@@ -39,7 +43,7 @@ static const char help[] =
 
 static const option_set set = {"learn",
                                " output c json quiet robots objective rule gamma cell-size skip-unreachable gap"
-                               " time-limit episodes seed "};
+                               " time-limit episodes seed learner explore alpha "};
 
 static problem learnt;
 static qtr_learner learner;
@@ -138,6 +142,9 @@ static int learn(const options *o, report *r, fault *why) {
   qtr_learner_config_default(&config);
   config.gap = o->gap;
   config.seed = o->seed;
+  config.setting = (uint8_t)o->setting;
+  config.exploration = o->exploration;
+  config.alpha = o->alpha;
   const double begin = clock_seconds();
   const int status = qtr_learner_init(&learner, &learnt.game, &config);
   if (status != QTR_OK) return fault_set(why, "%s: %s", o->input, qtr_strerror(status));

@@ -130,6 +130,35 @@ static int take_skip_unreachable(options *o, const char *name, const char *value
   return 0;
 }
 
+static int take_learner(options *o, const char *name, const char *value, fault *why) {
+  return take_word(&o->setting, name, value, "certified", "paper", why);
+}
+
+/* KIND[:FIRST[:LAST[:DECAY]]] */
+static int take_explore(options *o, const char *name, const char *value, fault *why) {
+  static const char *const kinds[] = {"uniform", "epsilon", "softmax"};
+  qtr_exploration_plan *plan = &o->exploration;
+  const size_t length = strcspn(value, ":");
+  int kind = 0;
+  while (kind < 3 && (strlen(kinds[kind]) != length || strncmp(kinds[kind], value, length) != 0)) kind++;
+  if (kind == 3) return fault_set(why, "--%s %s: say uniform, epsilon or softmax", name, value);
+  plan->kind = (uint8_t)kind;
+  const char *rates = value[length] == ':' ? value + length + 1 : NULL;
+  int taken = 0;
+  if (rates == NULL) return 0;
+  const int fields = sscanf(rates, "%lf%n:%lf%n:%lf%n", &plan->first, &taken, &plan->last, &taken, &plan->decay, &taken);
+  if (fields < 1 || rates[taken] != '\0')
+    return fault_set(why, "--%s %s: say KIND:FIRST:LAST:DECAY, as softmax:1:0.01:0.9995", name, value);
+  qtr_explorer explorer;
+  if (qtr_explorer_init(&explorer, plan, 1) != 0)
+    return fault_set(why, "--%s %s: rates are 0 to 1 (softmax: temperatures above 0), the decay 0 to 1", name, value);
+  return 0;
+}
+
+static int take_alpha(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->alpha, name, value, "above 0 up to 1", 1e-9, 1.0, why);
+}
+
 static int take_gap(options *o, const char *name, const char *value, fault *why) {
   return take_number(&o->gap, name, value, "from 0 to 1 (0.01 is one per cent)", 0.0, 1.0, why);
 }
@@ -195,6 +224,32 @@ static int take_clear_all(options *o, const char *name, const char *value, fault
   return 0;
 }
 
+static int take_history(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)why;
+  o->history = value;
+  return 0;
+}
+
+static int take_belief(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)why;
+  o->belief = value;
+  return 0;
+}
+
+static int take_prior(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->prior, name, value, "of finds, from 1e-6 to 1e12", 1e-6, 1e12, why);
+}
+
+static int take_keep(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->keep, name, value, "above 0 up to 1 (1: nothing is forgotten)", 1e-9, 1.0, why);
+}
+
+static int take_detection(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->detection, name, value, "from 0 to 1 (1: nothing is overlooked)", 0.0, 1.0, why);
+}
+
 static const option_row rows[] = {{"output", required_argument, 'o', take_output},
                                   {"c", required_argument, 0, take_c},
                                   {"json", optional_argument, 0, take_json},
@@ -206,6 +261,9 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"gamma", required_argument, 0, take_gamma},
                                   {"cell-size", required_argument, 0, take_cell_size},
                                   {"skip-unreachable", no_argument, 0, take_skip_unreachable},
+                                  {"learner", required_argument, 0, take_learner},
+                                  {"explore", required_argument, 0, take_explore},
+                                  {"alpha", required_argument, 0, take_alpha},
                                   {"gap", required_argument, 0, take_gap},
                                   {"time-limit", required_argument, 0, take_time_limit},
                                   {"episodes", required_argument, 0, take_episodes},
@@ -213,7 +271,12 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"late", required_argument, 0, take_late},
                                   {"lost", required_argument, 0, take_lost},
                                   {"target", required_argument, 0, take_target},
-                                  {"clear-all", no_argument, 0, take_clear_all}};
+                                  {"clear-all", no_argument, 0, take_clear_all},
+                                  {"history", required_argument, 0, take_history},
+                                  {"belief", required_argument, 0, take_belief},
+                                  {"prior", required_argument, 0, take_prior},
+                                  {"keep", required_argument, 0, take_keep},
+                                  {"detection", required_argument, 0, take_detection}};
 enum { ROWS = sizeof rows / sizeof rows[0] };
 
 /* ---- the whole line ---- */
@@ -252,6 +315,9 @@ static void set_defaults(options *o) {
   o->rule = OPTIONS_UNSET;
   o->target = OPTIONS_UNSET;
   o->gap = 1e-5;
+  o->detection = 1.0;
+  o->alpha = 1.0;
+  qtr_exploration_default(&o->exploration);
   o->seed = 1;
 }
 

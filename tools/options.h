@@ -7,6 +7,7 @@
 
 #include "fault.h"
 #include "quarter/config.h"
+#include "quarter/explore.h"
 
 enum { OPTIONS_UNSET = -1 };
 
@@ -37,6 +38,9 @@ typedef struct {
   double cell_size;    /* metres; 0: as the input says */
   bool skip_unreachable;
   /* learning */
+  int setting; /* enum qtr_setting */
+  qtr_exploration_plan exploration;
+  double alpha;
   double gap;
   double time_limit;   /* seconds; 0: none */
   uint64_t episodes;   /* 0: no limit */
@@ -47,6 +51,12 @@ typedef struct {
   option_lost lost[QTR_MAX_SEEKERS];
   int target; /* place, or OPTIONS_UNSET */
   bool clear_all;
+  /* belief */
+  const char *history; /* CSV; NULL: none */
+  const char *belief;  /* saved belief, read and written; NULL: none */
+  double prior;        /* finds that the mission's weights count for; 0: not given */
+  double keep;         /* 0: not given */
+  double detection;
 } options;
 
 /* Which options a command takes; the name of each begins its line in the command's help. */

@@ -3,10 +3,12 @@
 #define QUARTER_LEARN_H
 
 #include "quarter/bound.h"
+#include "quarter/explore.h"
 #include "quarter/export.h"
 #include "quarter/game.h"
 #include "quarter/learner.h"
 #include "quarter/mission.h"
+#include "quarter/play.h"
 #include "quarter/qtable.h"
 #include "quarter/refine.h"
 #include "quarter/robot.h"

@@ -1,9 +1,14 @@
-/* The learner: the Q-learning unit and its action strategy (paper, Fig. 3.1, 5.1).
+/* The learner: the Q-learning unit and its action strategies (paper, Fig. 3.1, 5.1), in two settings that differ in the
+ * value that Q starts from, the action strategy and the order of the backups, and in nothing else.
  *
  * Certified setting: Q starts at an upper bound, the seekers act greedily on it, and each episode is backed up from its
  * end to its start, Q(s,a) <- min(Q(s,a), backup). Q then never falls below the optimal Q*, so the largest Q of the
  * first state bounds every policy from above, and the best game played so far is a policy that earns what it earns. When
  * the two meet, that policy is optimal; stopped earlier, the gap between them is known.
+ *
+ * Paper setting: Q starts at 0, the seekers explore, and each step is backed up as it comes, Q(s,a) <- (1 - alpha) Q(s,a)
+ * + alpha backup (Eq. 4.7). After each episode the greedy policy is played; the best one played is the result, and the
+ * prices alone bound it.
  *
  *   qtr_learner_init(&learner, &game, &config);
  *   while (qtr_learner_step(&learner) == QTR_LEARNING) { qtr_learner_certificate(&learner, &certificate); ... }
@@ -16,22 +21,25 @@
 
 #include "quarter/bound.h"
 #include "quarter/config.h"
+#include "quarter/explore.h"
 #include "quarter/game.h"
 #include "quarter/joint.h"
+#include "quarter/play.h"
 #include "quarter/qtable.h"
 #include "quarter/refine.h"
 
-/* A game has no more choices than this: a place each, and each seeker stands down once. Under the paper's rule a seeker
- * may follow others, at most once for every place that they visit. */
-#define QTR_MAX_CHOICES (QTR_MAX_PLACES * 2 + QTR_MAX_SEEKERS)
+enum qtr_setting { QTR_SETTING_CERTIFIED = 0, QTR_SETTING_PAPER = 1 };
 
 typedef struct {
   double gap;    /* relative, 0 or more: stop when bound and objective differ by no more than gap * |objective|. Smaller
                     takes longer; below 1e-6 the floats of the Q-table may keep it from closing (QTR_CONVERGED). */
-  uint64_t seed; /* of the random choices; stored in the table. The certified setting makes none. */
+  uint64_t seed;      /* of the random choices: how the local search shakes, how the paper setting explores */
+  uint8_t setting;    /* enum qtr_setting */
+  double alpha;       /* paper setting: learning rate, above 0 up to 1; 1 is right where the model is deterministic */
+  qtr_exploration_plan exploration; /* paper setting */
 } qtr_learner_config;
 
-/* Gap 1e-5, seed 1. */
+/* Gap 1e-5, seed 1, certified; alpha 1 and epsilon-greedy for the paper setting. */
 void qtr_learner_config_default(qtr_learner_config *config);
 
 enum qtr_learning {
@@ -49,25 +57,26 @@ typedef struct {
   double gap;            /* |objective - bound| / |objective| */
   bool certified;        /* gap is within the config's */
   uint64_t episodes;     /* games played, those given up early included */
-  uint64_t updates;      /* Q entries set or lowered */
+  uint64_t updates;      /* of Q entries that changed them */
+  double max_q;          /* largest Q of the first state before the last episode (MaxQ of Fig. 4.5) */
   uint32_t price_steps;  /* subgradient steps of the bound */
 } qtr_certificate;
 
-/* A game as it was played: who chose what, in order. */
+/* The choices of a state, each with its Q and the entry that it is stored under. */
 typedef struct {
-  uint16_t choices;
-  uint8_t seeker[QTR_MAX_CHOICES];
-  uint16_t choice[QTR_MAX_CHOICES];
-  qtr_steps visit[QTR_MAX_PLACES]; /* each place's step of first visit */
-  qtr_score score;
-} qtr_play;
+  unsigned count;
+  uint16_t choice[QTR_MAX_PLACES + 1];
+  double q[QTR_MAX_PLACES + 1];
+  double at_once[QTR_MAX_PLACES + 1]; /* reward without time passing, part of Q and not of the entry */
+  qtr_key key[QTR_MAX_PLACES + 1];    /* of the joint state after the choice */
+} qtr_candidates;
 
 /* One choice of the episode under way, as the backup needs it. */
 typedef struct {
-  qtr_key key;       /* of the joint state after the choice */
-  double q;          /* largest Q: of the choice made */
-  double runner_up;  /* largest Q of the other choices */
-  double at_once;    /* reward without time passing, part of Q and not of the entry */
+  qtr_key key;      /* of its entry */
+  double q;         /* of the choice made */
+  double runner_up; /* largest Q of the other choices */
+  double at_once;   /* as in the candidates */
   qtr_outcome outcome;
 } qtr_trace;
 
@@ -76,12 +85,15 @@ typedef struct {
   const qtr_game *game;
   qtr_learner_config config;
   qtr_play best;
-  double upper; /* largest Q of the first state */
+  double upper; /* certified: the largest Q of the first state; paper: the prices' bound */
+  double max_q; /* the largest Q of the first state before the last episode */
   bool pricing; /* the bound is still being tuned */
   uint64_t episodes, updates;
   qtr_play play;
   qtr_routes routes;
   qtr_refinery refinery;
+  qtr_explorer explorer;
+  qtr_candidates candidates;
   qtr_trace trace[QTR_MAX_CHOICES];
   qtr_bound bound;
   qtr_qtable table;

@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 
+#define LEAST_POWER 1e-250
 #define SCALE_FIRST 2.0 /* of Polyak's step; 2 is the most for which it converges */
 #define SCALE_LEAST 0.005
 #define SCALE_SHRINK 0.7
@@ -290,5 +291,7 @@ double qtr_bound_state(const qtr_bound *bound, const qtr_joint *after, qtr_steps
   const double plain = bound_all_at_once(bound, after, now);
   const double upper = worth_under_way(bound, after, now) + (prices < plain ? prices : plain);
   if (bound->game->mission->objective == QTR_TIME) return upper + (double)now * unvisited;
-  return upper / qtr_game_power(bound->game, now);
+  /* Where gamma^t comes to its end as a double, all that is left counts as found now. */
+  const double power = qtr_game_power(bound->game, now);
+  return power > LEAST_POWER ? upper / power : QTR_REWARD_SCALE * unvisited;
 }

@@ -12,81 +12,94 @@
 void qtr_learner_config_default(qtr_learner_config *config) {
   config->gap = 1e-5;
   config->seed = 1;
+  config->setting = QTR_SETTING_CERTIFIED;
+  config->alpha = 1.0;
+  qtr_exploration_default(&config->exploration);
 }
 
-/* ---- games as they are played ---- */
-
-static void play_begin(qtr_play *play) {
-  play->choices = 0;
-  for (unsigned place = 0; place < QTR_MAX_PLACES; place++) play->visit[place] = QTR_NEVER;
+static bool is_paper(const qtr_learner *learner) {
+  return learner->config.setting == QTR_SETTING_PAPER;
 }
 
-static void play_choose(qtr_play *play, int seeker, uint16_t choice) {
-  play->seeker[play->choices] = (uint8_t)seeker;
-  play->choice[play->choices++] = choice;
+/* ---- first difference of the settings: what Q is before it is learnt ---- */
+
+static double initial_value(const qtr_learner *learner, const qtr_state *after) {
+  if (is_paper(learner)) return 0.0;
+  return qtr_bound_state(&learner->bound, &after->joint, after->now, after->unvisited);
 }
 
-/* Score a game by playing its choices again: what is reported is what these choices earn, whatever was learnt. */
-static void play_score(qtr_play *play, const qtr_game *game) {
-  qtr_state state;
-  qtr_outcome outcome;
-  qtr_game_start(game, &state);
-  for (unsigned i = 0; i < play->choices; i++) {
-    const uint16_t choice = play->choice[i];
-    if (choice != QTR_STAND_DOWN) {
-      const qtr_steps when =
-          state.now + qtr_board_steps(&game->board, state.joint.node[play->seeker[i]], choice);
-      if (when < play->visit[choice]) play->visit[choice] = when;
-    }
-    qtr_game_choose(game, &state, play->seeker[i], choice);
-    qtr_game_pass(game, &state, &outcome);
-  }
-  qtr_game_score(game, play->visit, &play->score);
-}
-
-/* ---- the certified setting's action strategy: greedy on Q ---- */
-
-/* Q of an entry, or the bound where there is none yet. */
+/* In the certified setting the bound may be tighter than an entry that was made at another step of the clock. */
 static double entry_value(const qtr_learner *learner, const qtr_state *after, const qtr_key *key) {
-  const double bound = qtr_bound_state(&learner->bound, &after->joint, after->now, after->unvisited);
+  const double initial = initial_value(learner, after);
   float stored;
-  if (qtr_qtable_get(&learner->table, key, &stored) && (double)stored < bound) return (double)stored;
-  return bound;
+  if (!qtr_qtable_get(&learner->table, key, &stored)) return initial;
+  return is_paper(learner) || (double)stored < initial ? (double)stored : initial;
 }
 
-static void consider(const qtr_learner *learner, const qtr_state *state, int seeker, uint16_t choice, qtr_trace *trace,
-                     uint16_t *best) {
+static void add_candidate(qtr_learner *learner, const qtr_state *state, int seeker, uint16_t choice) {
+  qtr_candidates *c = &learner->candidates;
+  const unsigned i = c->count++;
   qtr_state after = *state;
-  qtr_key key;
-  const double at_once = qtr_game_choose(learner->game, &after, seeker, choice);
-  qtr_joint_key(&key, &after.joint, &learner->game->board);
-  const double q = at_once + entry_value(learner, &after, &key);
-  if (q <= trace->q) {
-    if (q > trace->runner_up) trace->runner_up = q;
-    return;
-  }
-  trace->runner_up = trace->q;
-  trace->q = q;
-  trace->at_once = at_once;
-  trace->key = key;
-  *best = choice;
+  c->choice[i] = choice;
+  c->at_once[i] = qtr_game_choose(learner->game, &after, seeker, choice);
+  qtr_joint_key(&c->key[i], &after.joint, &learner->game->board);
+  c->q[i] = c->at_once[i] + entry_value(learner, &after, &c->key[i]);
 }
 
-/* The choice with the largest Q, the lowest place among equals. */
-static uint16_t act_greedily(const qtr_learner *learner, const qtr_state *state, int seeker, qtr_trace *trace) {
+/* Q of all that a seeker may choose, the places in their order, standing down last. */
+static void list_candidates(qtr_learner *learner, const qtr_state *state, int seeker) {
   const qtr_board *board = &learner->game->board;
   qtr_places choices;
-  uint16_t best = QTR_STAND_DOWN;
   const bool may_stand_down = qtr_joint_choices(&state->joint, board, seeker, &choices);
-  trace->q = -HUGE_VAL;
-  trace->runner_up = -HUGE_VAL;
+  learner->candidates.count = 0;
   for (uint16_t place = 0; place < board->places; place++)
-    if (qtr_places_has(&choices, place)) consider(learner, state, seeker, place, trace, &best);
-  if (may_stand_down) consider(learner, state, seeker, QTR_STAND_DOWN, trace, &best);
+    if (qtr_places_has(&choices, place)) add_candidate(learner, state, seeker, place);
+  if (may_stand_down) add_candidate(learner, state, seeker, QTR_STAND_DOWN);
+}
+
+/* The candidate with the largest Q, the first among equals. */
+static unsigned greedy(const qtr_candidates *c) {
+  unsigned best = 0;
+  for (unsigned i = 1; i < c->count; i++)
+    if (c->q[i] > c->q[best]) best = i;
   return best;
 }
 
-/* ---- the Q-learning unit ---- */
+static double largest_but(const qtr_candidates *c, unsigned picked) {
+  double largest = -HUGE_VAL;
+  for (unsigned i = 0; i < c->count; i++)
+    if (i != picked && c->q[i] > largest) largest = c->q[i];
+  return largest;
+}
+
+static void note_choice(qtr_learner *learner, unsigned picked) {
+  const qtr_candidates *c = &learner->candidates;
+  qtr_trace *trace = &learner->trace[learner->play.choices];
+  trace->key = c->key[picked];
+  trace->q = c->q[picked];
+  trace->runner_up = largest_but(c, picked);
+  trace->at_once = c->at_once[picked];
+}
+
+/* Make the choice noted last, and let time pass. */
+static void act(qtr_learner *learner, qtr_state *state, int seeker, uint16_t choice) {
+  qtr_trace *trace = &learner->trace[learner->play.choices];
+  qtr_game_choose(learner->game, state, seeker, choice);
+  qtr_game_pass(learner->game, state, &trace->outcome);
+  qtr_play_add(&learner->play, seeker, choice);
+}
+
+/* Eq. 4.7, for the entry of a choice: `value` is the largest Q of the state that it led to. */
+static double backup_of(const qtr_trace *trace, double value) {
+  return trace->outcome.reward + trace->outcome.discount * value;
+}
+
+static void keep_if_best(qtr_learner *learner) {
+  qtr_play_score(&learner->play, learner->game);
+  if (learner->play.score.worth > learner->best.score.worth) learner->best = learner->play;
+}
+
+/* ---- the certified setting: greedy, backed up from the end to the start ---- */
 
 /* Rounded up, so that a float bounds what its double bounds. */
 static float round_up(double value) {
@@ -94,21 +107,17 @@ static float round_up(double value) {
   return (double)rounded < value ? nextafterf(rounded, HUGE_VALF) : rounded;
 }
 
-/* Q(s,a) <- min(Q(s,a), backup), from the episode's end to its start; `value` is the largest Q of the state where it
- * ended. Returns the largest Q of the first state. */
-static double back_up(qtr_learner *learner, unsigned choices, double value) {
-  for (unsigned i = choices; i-- > 0;) {
+/* Q(s,a) <- min(Q(s,a), backup); `value` is the largest Q of the state where the episode ended. Returns the largest Q of
+ * the first state. */
+static double back_up_all(qtr_learner *learner, double value) {
+  for (unsigned i = learner->play.choices; i-- > 0;) {
     const qtr_trace *trace = &learner->trace[i];
-    const float backup = round_up(trace->outcome.reward + trace->outcome.discount * value);
+    const float backup = round_up(backup_of(trace, value));
     double q = trace->at_once + (double)backup;
-    if (q < trace->q) {
-      if (qtr_qtable_set(&learner->table, &trace->key, backup))
-        learner->updates++;
-      else
-        q = trace->q;
-    } else {
+    if (q < trace->q && qtr_qtable_set(&learner->table, &trace->key, backup))
+      learner->updates++;
+    else
       q = trace->q;
-    }
     value = q > trace->runner_up ? q : trace->runner_up;
   }
   return value;
@@ -123,14 +132,8 @@ static bool is_certified(const qtr_learner *learner) {
   return learner->upper <= within_gap(learner, 1.0);
 }
 
-static void keep_best(qtr_learner *learner) {
-  play_score(&learner->play, learner->game);
-  if (learner->play.score.worth > learner->best.score.worth) learner->best = learner->play;
-}
-
-/* One game, greedy, given up as soon as it cannot beat the best one. */
-static void run_episode(qtr_learner *learner) {
-  const qtr_game *game = learner->game;
+/* One game, given up as soon as it cannot beat the best one. */
+static void run_certified_episode(qtr_learner *learner) {
   /* Half of the gap: the other half takes up what rounding adds on the way back to the first state. */
   const double hopeless = within_gap(learner, 0.5);
   qtr_state state;
@@ -138,109 +141,109 @@ static void run_episode(qtr_learner *learner) {
   double discount = 1.0;
   double value = 0.0;
   int seeker;
-  play_begin(&learner->play);
-  qtr_game_start(game, &state);
-  while ((seeker = qtr_joint_chooser(&state.joint, &game->board)) != QTR_NOBODY) {
-    qtr_trace *trace = &learner->trace[learner->play.choices];
-    const uint16_t choice = act_greedily(learner, &state, seeker, trace);
+  qtr_play_begin(&learner->play);
+  qtr_game_start(learner->game, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &learner->game->board)) != QTR_NOBODY) {
+    list_candidates(learner, &state, seeker);
+    const unsigned picked = greedy(&learner->candidates);
+    const qtr_trace *trace = &learner->trace[learner->play.choices];
+    note_choice(learner, picked);
+    if (learner->play.choices == 0) learner->max_q = trace->q;
     if (earned + discount * trace->q <= hopeless) {
       value = trace->q;
       break;
     }
-    earned += discount * qtr_game_choose(game, &state, seeker, choice);
-    qtr_game_pass(game, &state, &trace->outcome);
-    play_choose(&learner->play, seeker, choice);
-    earned += discount * trace->outcome.reward;
+    act(learner, &state, seeker, learner->candidates.choice[picked]);
+    earned += discount * (trace->at_once + trace->outcome.reward);
     discount *= trace->outcome.discount;
   }
-  learner->episodes++;
-  const double upper = back_up(learner, learner->play.choices, value);
+  const double upper = back_up_all(learner, value);
   if (upper < learner->upper) learner->upper = upper;
-  if (seeker == QTR_NOBODY) keep_best(learner);
+  if (seeker == QTR_NOBODY) keep_if_best(learner);
+}
+
+/* ---- the paper setting: exploring, each step backed up as it comes ---- */
+
+/* Q(s,a) <- (1 - alpha) Q(s,a) + alpha backup, for the choice made last; `value` is the largest Q of the state now. */
+static void back_up_last(qtr_learner *learner, double value) {
+  if (learner->play.choices == 0) return;
+  const qtr_trace *trace = &learner->trace[learner->play.choices - 1];
+  const double before = trace->q - trace->at_once;
+  const double after = before + learner->config.alpha * (backup_of(trace, value) - before);
+  if ((float)after == (float)before && before != 0.0) return;
+  if (qtr_qtable_set(&learner->table, &trace->key, (float)after)) learner->updates++;
+}
+
+static void run_exploring_episode(qtr_learner *learner) {
+  qtr_state state;
+  int seeker;
+  qtr_play_begin(&learner->play);
+  qtr_game_start(learner->game, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &learner->game->board)) != QTR_NOBODY) {
+    list_candidates(learner, &state, seeker);
+    const double largest = learner->candidates.q[greedy(&learner->candidates)];
+    if (learner->play.choices == 0) learner->max_q = largest;
+    back_up_last(learner, largest);
+    const unsigned picked = qtr_explorer_pick(&learner->explorer, learner->candidates.q, learner->candidates.count);
+    note_choice(learner, picked);
+    act(learner, &state, seeker, learner->candidates.choice[picked]);
+  }
+  back_up_last(learner, 0.0);
+  qtr_explorer_next(&learner->explorer);
+}
+
+/* What has been learnt so far, played without learning. */
+static void play_greedily(qtr_learner *learner) {
+  qtr_state state;
+  int seeker;
+  qtr_play_begin(&learner->play);
+  qtr_game_start(learner->game, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &learner->game->board)) != QTR_NOBODY) {
+    list_candidates(learner, &state, seeker);
+    act(learner, &state, seeker, learner->candidates.choice[greedy(&learner->candidates)]);
+  }
+  keep_if_best(learner);
 }
 
 /* ---- local search on the best game ---- */
 
-static void routes_of_best(qtr_learner *learner) {
-  qtr_routes *routes = &learner->routes;
-  for (unsigned seeker = 0; seeker < learner->game->board.seekers; seeker++) routes->length[seeker] = 0;
-  for (unsigned i = 0; i < learner->best.choices; i++) {
-    const unsigned seeker = learner->best.seeker[i];
-    if (learner->best.choice[i] == QTR_STAND_DOWN) continue;
-    routes->place[seeker][routes->length[seeker]++] = learner->best.choice[i];
-  }
-}
-
-/* Play routes as a game: each seeker takes its next place, and stands down at its route's end. */
-static void play_routes(qtr_learner *learner) {
-  const qtr_game *game = learner->game;
-  const qtr_routes *routes = &learner->routes;
-  uint16_t next[QTR_MAX_SEEKERS] = {0};
-  qtr_state state;
-  qtr_outcome outcome;
-  int seeker;
-  play_begin(&learner->play);
-  qtr_game_start(game, &state);
-  while ((seeker = qtr_joint_chooser(&state.joint, &game->board)) != QTR_NOBODY) {
-    const bool ended = next[seeker] == routes->length[seeker];
-    const uint16_t choice = ended ? QTR_STAND_DOWN : routes->place[seeker][next[seeker]++];
-    qtr_game_choose(game, &state, seeker, choice);
-    qtr_game_pass(game, &state, &outcome);
-    play_choose(&learner->play, seeker, choice);
-  }
-}
-
 /* Under the paper's rule routes alone do not make a game: who must choose when depends on the others. */
 static void refine_best(qtr_learner *learner, unsigned rounds) {
   if (learner->game->board.rule != QTR_RULE_FREE) return;
-  routes_of_best(learner);
+  qtr_play_to_routes(&learner->best, learner->game, &learner->routes);
   qtr_refine(&learner->refinery, &learner->routes, learner->game, rounds, learner->config.seed + learner->episodes);
-  play_routes(learner);
-  keep_best(learner);
+  qtr_play_routes(&learner->play, learner->game, &learner->routes);
+  keep_if_best(learner);
 }
 
 /* ---- set-up and steps ---- */
 
-/* The first game, to have something to improve on: always the most likely place for the way. */
-static void play_by_rate(qtr_learner *learner) {
-  const qtr_game *game = learner->game;
-  qtr_state state;
-  qtr_outcome outcome;
-  int seeker;
-  play_begin(&learner->best);
-  qtr_game_start(game, &state);
-  while ((seeker = qtr_joint_chooser(&state.joint, &game->board)) != QTR_NOBODY) {
-    qtr_places choices;
-    uint16_t choice = QTR_STAND_DOWN;
-    double best = -1.0;
-    qtr_joint_choices(&state.joint, &game->board, seeker, &choices);
-    for (uint16_t place = 0; place < game->board.places; place++) {
-      if (!qtr_places_has(&choices, place)) continue;
-      const qtr_steps steps = qtr_board_steps(&game->board, state.joint.node[seeker], place);
-      const double rate = game->probability[place] / (steps > 0 ? (double)steps : 0.5);
-      if (rate <= best) continue;
-      best = rate;
-      choice = place;
-    }
-    qtr_game_choose(game, &state, seeker, choice);
-    qtr_game_pass(game, &state, &outcome);
-    play_choose(&learner->best, seeker, choice);
-  }
-  play_score(&learner->best, game);
-  learner->episodes++;
+static int check_config(qtr_learner *learner, const qtr_learner_config *config) {
+  if (!(config->gap >= 0.0 && config->gap < HUGE_VAL) || config->setting > QTR_SETTING_PAPER) return QTR_ERR_ARGUMENT;
+  if (!(config->alpha > 0.0 && config->alpha <= 1.0)) return QTR_ERR_ARGUMENT;
+  return qtr_explorer_init(&learner->explorer, &config->exploration, config->seed);
+}
+
+/* The paper setting is left to learn alone: no local search, and its first game counts for nothing once it has played. */
+static void play_first(qtr_learner *learner) {
+  qtr_play_by_rate(&learner->best, learner->game);
+  if (is_paper(learner)) return;
+  learner->episodes = 1;
+  refine_best(learner, FIRST_ROUNDS);
 }
 
 int qtr_learner_init_built(qtr_learner *learner, const qtr_game *game, const qtr_learner_config *config,
                            uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  if (!(config->gap >= 0.0 && config->gap < HUGE_VAL)) return QTR_ERR_ARGUMENT;
+  const int status = check_config(learner, config);
+  if (status != QTR_OK) return status;
   learner->game = game;
   learner->config = *config;
   learner->episodes = 0;
   learner->updates = 0;
+  learner->max_q = 0.0;
   learner->pricing = true;
-  play_by_rate(learner);
-  refine_best(learner, FIRST_ROUNDS);
+  play_first(learner);
   qtr_qtable_init(&learner->table, &game->board);
   qtr_bound_init(&learner->bound, game, learner->best.visit);
   learner->upper = learner->bound.upper;
@@ -254,20 +257,34 @@ static void tune_prices(qtr_learner *learner) {
   if (!learner->pricing) qtr_bound_settle(&learner->bound);
 }
 
-enum qtr_learning qtr_learner_step(qtr_learner *learner) {
+static enum qtr_learning step_certified(qtr_learner *learner) {
+  const uint64_t updates = learner->updates;
+  const double best = learner->best.score.worth;
+  const double upper = learner->upper;
+  learner->episodes++;
+  run_certified_episode(learner);
+  if (learner->best.score.worth > best) refine_best(learner, LATER_ROUNDS);
   if (is_certified(learner)) return QTR_CERTIFIED;
-  if (learner->pricing) {
-    tune_prices(learner);
-  } else {
-    const uint64_t updates = learner->updates;
-    const double best = learner->best.score.worth;
-    const double upper = learner->upper;
-    run_episode(learner);
-    if (learner->best.score.worth > best) refine_best(learner, LATER_ROUNDS);
-    const bool learnt = learner->updates > updates || learner->best.score.worth > best || learner->upper < upper;
-    if (!learnt) return is_certified(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
-  }
+  const bool learnt = learner->updates > updates || learner->best.score.worth > best || learner->upper < upper;
+  return learnt ? QTR_LEARNING : QTR_CONVERGED;
+}
+
+static enum qtr_learning step_paper(qtr_learner *learner) {
+  learner->episodes++;
+  run_exploring_episode(learner);
+  if (learner->episodes == 1) learner->best.score.worth = -HUGE_VAL;
+  play_greedily(learner);
   return is_certified(learner) ? QTR_CERTIFIED : QTR_LEARNING;
+}
+
+enum qtr_learning qtr_learner_step(qtr_learner *learner) {
+  if (learner->pricing) {
+    if (is_certified(learner) && !is_paper(learner)) return QTR_CERTIFIED;
+    tune_prices(learner);
+    return is_certified(learner) && !is_paper(learner) ? QTR_CERTIFIED : QTR_LEARNING;
+  }
+  if (is_paper(learner)) return step_paper(learner);
+  return is_certified(learner) ? QTR_CERTIFIED : step_certified(learner);
 }
 
 void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certificate) {
@@ -282,6 +299,7 @@ void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certif
   certificate->certified = is_certified(learner);
   certificate->episodes = learner->episodes;
   certificate->updates = learner->updates;
+  certificate->max_q = learner->max_q;
   certificate->price_steps = learner->bound.iterations;
 }
 

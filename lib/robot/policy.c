@@ -44,9 +44,14 @@ static int read_dimensions(qtr_policy *policy) {
   const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
   if (cells == 0 || policy->board.places == 0 || policy->board.seekers == 0) return QTR_ERR_CORRUPT;
   if (policy->board.starts == 0 || policy->board.starts > policy->board.seekers) return QTR_ERR_CORRUPT;
-  if (policy->grid.encoding > QTR_GRID_BYTES) return QTR_ERR_CORRUPT;
   if (cells > QTR_MAX_CELLS || policy->board.places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
   return policy->board.seekers > QTR_MAX_SEEKERS ? QTR_ERR_LIMIT : QTR_OK;
+}
+
+static int check_words(const uint8_t *bytes) {
+  const bool known = bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER && bytes[QTR_POLICY_OBJECTIVE] <= 1 &&
+                     bytes[QTR_POLICY_CERTIFIED] <= 1 && bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES;
+  return known ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* Find the sections, whose sizes follow from the dimensions alone: there is no offset in the file to be wrong. */
@@ -113,6 +118,7 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   policy->bytes = bytes;
   int status = check_frame(bytes, size);
+  if (status == QTR_OK) status = check_words(bytes);
   if (status == QTR_OK) status = read_dimensions(policy);
   if (status == QTR_OK) status = find_sections(policy, size);
   if (status == QTR_OK) status = check_nodes(policy);

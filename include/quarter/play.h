@@ -1,0 +1,42 @@
+/* A game as it was played: who chose what, in order, and what it earned on the true map. */
+#ifndef QUARTER_PLAY_H
+#define QUARTER_PLAY_H
+
+#include <stdint.h>
+
+#include "quarter/config.h"
+#include "quarter/game.h"
+#include "quarter/refine.h"
+
+/* A game has no more choices than this: each place is chosen once, and each seeker stands down once. Under the paper's rule
+ * seekers follow others when no place is left for them alone: then no more places than seekers are left, and each seeker
+ * goes to each of them at most once. */
+#define QTR_MAX_CHOICES (QTR_MAX_PLACES + QTR_MAX_SEEKERS * (QTR_MAX_SEEKERS + 1))
+
+typedef struct {
+  uint16_t choices;
+  uint8_t seeker[QTR_MAX_CHOICES];
+  uint16_t choice[QTR_MAX_CHOICES];
+  qtr_steps visit[QTR_MAX_PLACES]; /* each place's step of first visit */
+  qtr_score score;
+} qtr_play;
+
+/* Begin an empty play. */
+void qtr_play_begin(qtr_play *play);
+
+/* Add a choice. */
+void qtr_play_add(qtr_play *play, int seeker, uint16_t choice);
+
+/* Fill in visits and score by playing the choices again: what is reported is what they earn, whatever was learnt. */
+void qtr_play_score(qtr_play *play, const qtr_game *game);
+
+/* A game to have something to improve on: always the most likely place for the way. Scored. */
+void qtr_play_by_rate(qtr_play *play, const qtr_game *game);
+
+/* The game in which each seeker follows its route and stands down at its end. Free rule alone. Scored. */
+void qtr_play_routes(qtr_play *play, const qtr_game *game, const qtr_routes *routes);
+
+/* The routes that a play's choices make. */
+void qtr_play_to_routes(const qtr_play *play, const qtr_game *game, qtr_routes *routes);
+
+#endif

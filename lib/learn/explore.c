@@ -1,0 +1,88 @@
+#include "quarter/explore.h"
+
+#include "quarter/status.h"
+
+void qtr_exploration_default(qtr_exploration_plan *plan) {
+  plan->kind = QTR_EXPLORE_EPSILON;
+  plan->first = 0.3;
+  plan->last = 0.3;
+  plan->decay = 1.0;
+}
+
+static int is_in(double value, double least, double most) {
+  return value >= least && value <= most;
+}
+
+int qtr_explorer_init(qtr_explorer *explorer, const qtr_exploration_plan *plan, uint64_t seed) {
+  const double least = plan->kind == QTR_EXPLORE_SOFTMAX ? 1e-9 : 0.0;
+  const double most = plan->kind == QTR_EXPLORE_EPSILON ? 1.0 : 1e9;
+  if (plan->kind > QTR_EXPLORE_SOFTMAX || !is_in(plan->decay, 0.0, 1.0)) return QTR_ERR_ARGUMENT;
+  if (!is_in(plan->first, least, most) || !is_in(plan->last, least, most)) return QTR_ERR_ARGUMENT;
+  explorer->plan = *plan;
+  explorer->rate = plan->first;
+  explorer->random = seed;
+  return QTR_OK;
+}
+
+/* SplitMix64 (Steele, Lea, Flood 2014), as a number from 0 to below 1. */
+static double draw(qtr_explorer *explorer) {
+  explorer->random += 0x9E3779B97F4A7C15u;
+  uint64_t z = explorer->random;
+  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
+  z ^= z >> 31;
+  return (double)(z >> 11) * (1.0 / 9007199254740992.0);
+}
+
+static unsigned draw_below(qtr_explorer *explorer, unsigned count) {
+  const unsigned drawn = (unsigned)(draw(explorer) * (double)count);
+  return drawn < count ? drawn : count - 1;
+}
+
+static unsigned largest(const double *q, unsigned count) {
+  unsigned best = 0;
+  for (unsigned i = 1; i < count; i++)
+    if (q[i] > q[best]) best = i;
+  return best;
+}
+
+/* exp(x) for x <= 0, by multiplication alone: exp() differs in its last bit between C libraries, and a run must repeat.
+ * exp(x) = exp(x / 1024)^1024, the inner one by its series; the relative error is below 1e-11. */
+static double exp_of(double x) {
+  if (x < -700.0) return 0.0;
+  const double y = x / 1024.0;
+  double term = 1.0;
+  double sum = 1.0;
+  for (int n = 1; n <= 10; n++) {
+    term *= y / (double)n;
+    sum += term;
+  }
+  for (int n = 0; n < 10; n++) sum *= sum;
+  return sum;
+}
+
+static unsigned pick_softmax(qtr_explorer *explorer, const double *q, unsigned count) {
+  const double top = q[largest(q, count)];
+  double sum = 0.0;
+  for (unsigned i = 0; i < count; i++) sum += exp_of((q[i] - top) / explorer->rate);
+  double left = draw(explorer) * sum;
+  for (unsigned i = 0; i + 1 < count; i++) {
+    left -= exp_of((q[i] - top) / explorer->rate);
+    if (left < 0.0) return i;
+  }
+  return count - 1;
+}
+
+unsigned qtr_explorer_pick(qtr_explorer *explorer, const double *q, unsigned count) {
+  switch (explorer->plan.kind) {
+  case QTR_EXPLORE_EPSILON:
+    return draw(explorer) < explorer->rate ? draw_below(explorer, count) : largest(q, count);
+  case QTR_EXPLORE_SOFTMAX: return pick_softmax(explorer, q, count);
+  default: return draw_below(explorer, count);
+  }
+}
+
+void qtr_explorer_next(qtr_explorer *explorer) {
+  explorer->rate *= explorer->plan.decay;
+  if (explorer->rate < explorer->plan.last) explorer->rate = explorer->plan.last;
+}

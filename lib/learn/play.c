@@ -1,0 +1,84 @@
+#include "quarter/play.h"
+
+#include <stddef.h>
+
+void qtr_play_begin(qtr_play *play) {
+  play->choices = 0;
+  for (unsigned place = 0; place < QTR_MAX_PLACES; place++) play->visit[place] = QTR_NEVER;
+}
+
+void qtr_play_add(qtr_play *play, int seeker, uint16_t choice) {
+  play->seeker[play->choices] = (uint8_t)seeker;
+  play->choice[play->choices++] = choice;
+}
+
+void qtr_play_score(qtr_play *play, const qtr_game *game) {
+  qtr_state state;
+  qtr_outcome outcome;
+  qtr_game_start(game, &state);
+  for (unsigned i = 0; i < play->choices; i++) {
+    const uint16_t choice = play->choice[i];
+    if (choice != QTR_STAND_DOWN) {
+      const qtr_steps when = state.now + qtr_board_steps(&game->board, state.joint.node[play->seeker[i]], choice);
+      if (when < play->visit[choice]) play->visit[choice] = when;
+    }
+    qtr_game_choose(game, &state, play->seeker[i], choice);
+    qtr_game_pass(game, &state, &outcome);
+  }
+  qtr_game_score(game, play->visit, &play->score);
+}
+
+/* Among the places that a seeker may choose, the most likely one for the way to it. */
+static uint16_t best_rate(const qtr_game *game, const qtr_state *state, int seeker) {
+  qtr_places choices;
+  uint16_t choice = QTR_STAND_DOWN;
+  double best = -1.0;
+  qtr_joint_choices(&state->joint, &game->board, seeker, &choices);
+  for (uint16_t place = 0; place < game->board.places; place++) {
+    if (!qtr_places_has(&choices, place)) continue;
+    const qtr_steps steps = qtr_board_steps(&game->board, state->joint.node[seeker], place);
+    const double rate = game->probability[place] / (steps > 0 ? (double)steps : 0.5);
+    if (rate <= best) continue;
+    best = rate;
+    choice = place;
+  }
+  return choice;
+}
+
+/* Play a game to its end: each seeker by its route, or by rate if there are none. */
+static void play_out(qtr_play *play, const qtr_game *game, const qtr_routes *routes) {
+  uint16_t next[QTR_MAX_SEEKERS] = {0};
+  qtr_state state;
+  qtr_outcome outcome;
+  int seeker;
+  qtr_play_begin(play);
+  qtr_game_start(game, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &game->board)) != QTR_NOBODY) {
+    uint16_t choice = QTR_STAND_DOWN;
+    if (routes == NULL)
+      choice = best_rate(game, &state, seeker);
+    else if (next[seeker] < routes->length[seeker])
+      choice = routes->place[seeker][next[seeker]++];
+    qtr_game_choose(game, &state, seeker, choice);
+    qtr_game_pass(game, &state, &outcome);
+    qtr_play_add(play, seeker, choice);
+  }
+  qtr_play_score(play, game);
+}
+
+void qtr_play_by_rate(qtr_play *play, const qtr_game *game) {
+  play_out(play, game, NULL);
+}
+
+void qtr_play_routes(qtr_play *play, const qtr_game *game, const qtr_routes *routes) {
+  play_out(play, game, routes);
+}
+
+void qtr_play_to_routes(const qtr_play *play, const qtr_game *game, qtr_routes *routes) {
+  for (unsigned seeker = 0; seeker < game->board.seekers; seeker++) routes->length[seeker] = 0;
+  for (unsigned i = 0; i < play->choices; i++) {
+    const unsigned seeker = play->seeker[i];
+    if (play->choice[i] == QTR_STAND_DOWN) continue;
+    routes->place[seeker][routes->length[seeker]++] = play->choice[i];
+  }
+}

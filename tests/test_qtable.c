@@ -1,0 +1,239 @@
+/* profiles: host mcu */
+/* The compact Q-table against a plain array, while it grows, when it is full, and how few bytes it takes. */
+#include <string.h>
+
+#include "quarter/qtable.h"
+#include "quarter/status.h"
+#include "robot/bytes.h"
+#include "support/random.h"
+#include "unity.h"
+
+enum { POOL = 12000, MOST_NODES = QTR_MAX_PLACES + QTR_MAX_SEEKERS };
+
+static qtr_qtable table;
+static qtr_board board;
+static uint8_t steps[4 * MOST_NODES * QTR_MAX_PLACES];
+static struct {
+  float value;
+  bool known;
+} plain[POOL];
+
+void setUp(void) {
+  memset(plain, 0, sizeof plain);
+}
+
+void tearDown(void) {
+}
+
+/* A board whose travel times are all `longest`. */
+static void set_board(unsigned places, unsigned seekers, unsigned longest) {
+  memset(&board, 0, sizeof board);
+  board.places = (uint16_t)places;
+  board.seekers = (uint8_t)seekers;
+  board.starts = 1;
+  board.steps = steps;
+  for (unsigned i = 0; i < (places + 1) * places; i++) store32_le(steps + 4 * i, longest);
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
+  memset(table.word, 0xA5, 1 << 14);
+  qtr_qtable_init(&table, &board);
+}
+
+/* Key number n: all different, all within the board's key bits, and spread over the words. */
+static qtr_key key_of(unsigned n) {
+  qtr_key key;
+  memset(&key, 0xA5, sizeof key);
+  for (unsigned w = 0; w < board.key_words; w++) key.word[w] = w % 2 == 0 ? n * (w + 1) : ~n;
+  const unsigned top = board.key_bits - 32u * (board.key_words - 1u);
+  if (top < 32) key.word[board.key_words - 1] &= ((uint32_t)1 << top) - 1;
+  if (board.key_words == 1) key.word[0] = n;
+  return key;
+}
+
+static void expect_as_plain(unsigned n) {
+  const qtr_key key = key_of(n);
+  float value = -1.0f;
+  TEST_ASSERT_EQUAL_MESSAGE(plain[n].known, qtr_qtable_get(&table, &key, &value), case_note);
+  if (plain[n].known) TEST_ASSERT_TRUE_MESSAGE(value == plain[n].value, case_note);
+}
+
+/* Set an entry in both, new ones as the table takes them. */
+static void set_in_both(unsigned n, float value) {
+  const qtr_key key = key_of(n);
+  const uint32_t entries = table.entries;
+  const uint32_t refused = table.refused;
+  const bool taken = qtr_qtable_set(&table, &key, value);
+  TEST_ASSERT_TRUE_MESSAGE(taken || !plain[n].known, case_note);
+  TEST_ASSERT_EQUAL_UINT32_MESSAGE(entries + (taken && !plain[n].known), table.entries, case_note);
+  TEST_ASSERT_EQUAL_UINT32_MESSAGE(refused + !taken, table.refused, case_note);
+  if (!taken) return;
+  plain[n].known = true;
+  plain[n].value = value;
+}
+
+static void expect_all_as_plain(void) {
+  unsigned known = 0;
+  for (unsigned n = 0; n < POOL; n++) {
+    expect_as_plain(n);
+    known += plain[n].known;
+  }
+  TEST_ASSERT_EQUAL_UINT32_MESSAGE(known, table.entries, case_note);
+}
+
+/* As if the array held so many slots alone. */
+static void limit_slots(uint32_t slots) {
+  if (slots >= table.slots_limit) return;
+  table.slots_limit = slots;
+  if (table.slots > slots) table.slots = slots;
+}
+
+static void work(test_random *random, unsigned operations, unsigned keys) {
+  for (unsigned i = 0; i < operations; i++) {
+    const unsigned n = random_below(random, keys);
+    if (random_chance(random, 50))
+      set_in_both(n, (float)random_below(random, 1000) - 500.0f);
+    else
+      expect_as_plain(n);
+  }
+}
+
+/* ---- against a plain array ---- */
+
+static void test_table_is_a_plain_map(void) {
+  static const unsigned boards[][3] = {{13, 1, 3}, {14, 2, 20}, {16, 4, 100}, {12, 2, 1000000}};
+  for (unsigned number = 0; number < 4; number++) {
+    test_random random = random_case("map", number);
+    memset(plain, 0, sizeof plain);
+    set_board(boards[number][0], boards[number][1], boards[number][2]);
+    work(&random, 100000, 2000);
+    expect_all_as_plain();
+    TEST_ASSERT_EQUAL_UINT32(0, table.refused);
+  }
+}
+
+static void test_growing_table_keeps_every_entry(void) {
+  set_board(14, 2, 20);
+  snprintf(case_note, sizeof case_note, "growth");
+  const unsigned most = table.slots_limit / 16 * 15 - 1;
+  unsigned slots = table.slots;
+  unsigned grown = 0;
+  for (unsigned n = 0; n < POOL && n < most; n++) {
+    set_in_both(n, (float)n);
+    if (table.slots == slots) continue;
+    TEST_ASSERT_GREATER_THAN(slots, table.slots);
+    slots = table.slots;
+    grown++;
+    expect_all_as_plain();
+  }
+  TEST_ASSERT_GREATER_THAN(0, grown);
+  expect_all_as_plain();
+}
+
+/* Every number of slots that an odd array may give, growing to it from any step before. */
+static void test_tables_of_every_small_size_fill_and_stay_right(void) {
+  for (unsigned slots = 2; slots < 300; slots++) {
+    snprintf(case_note, sizeof case_note, "%u slots", slots);
+    memset(plain, 0, sizeof plain);
+    set_board(14, 2, 20);
+    limit_slots(slots);
+    table.slots = slots < 8 ? slots : slots / 3;
+    for (unsigned n = 0; n < slots + 20; n++) set_in_both(n, (float)n);
+    TEST_ASSERT_GREATER_THAN(0, table.refused);
+    for (unsigned n = 0; n < slots + 20; n++) expect_as_plain(n);
+    TEST_ASSERT_LESS_THAN(slots, table.entries);
+    if (slots >= 16) TEST_ASSERT_GREATER_OR_EQUAL(slots * 14 / 16 - 2, table.entries);
+  }
+}
+
+static void test_full_table_refuses_counts_and_stays_right(void) {
+  for (unsigned number = 0; number < 3; number++) {
+    test_random random = random_case("full", number);
+    memset(plain, 0, sizeof plain);
+    set_board(14, number + 1, 20);
+    limit_slots(1000 + 777 * number);
+    work(&random, 60000, POOL);
+    TEST_ASSERT_GREATER_THAN(1000, table.refused);
+    expect_all_as_plain();
+    /* What it has can still be changed. */
+    for (unsigned n = 0; n < POOL; n++)
+      if (plain[n].known) set_in_both(n, -1.0f - (float)n);
+    expect_all_as_plain();
+  }
+}
+
+static void test_array_itself_bounds_the_table(void) {
+  set_board(16, 4, 100);
+  TEST_ASSERT_TRUE((uint64_t)table.slots_limit * table.entry_words <= QTR_QTABLE_WORDS);
+  TEST_ASSERT_TRUE((uint64_t)(table.slots_limit + 1) * table.entry_words > QTR_QTABLE_WORDS);
+#ifdef QTR_PROFILE_MCU
+  snprintf(case_note, sizeof case_note, "array");
+  for (unsigned n = 0; n < POOL; n++) set_in_both(n, (float)n);
+  TEST_ASSERT_GREATER_THAN(0, table.refused);
+  TEST_ASSERT_GREATER_OR_EQUAL(table.slots_limit * 9 / 10, table.entries);
+  expect_all_as_plain();
+#endif
+}
+
+static void test_init_empties_the_table(void) {
+  float value;
+  set_board(14, 2, 20);
+  for (unsigned n = 0; n < 500; n++) set_in_both(n, 1.0f);
+  qtr_qtable_init(&table, &board);
+  TEST_ASSERT_EQUAL_UINT32(0, table.entries);
+  TEST_ASSERT_EQUAL_UINT32(0, table.refused);
+  for (unsigned n = 0; n < 500; n++) {
+    const qtr_key key = key_of(n);
+    TEST_ASSERT_FALSE(qtr_qtable_get(&table, &key, &value));
+  }
+}
+
+static void test_greatest_and_least_keys_are_kept_apart(void) {
+  for (unsigned places = 1; places <= QTR_MAX_PLACES; places++) {
+    for (unsigned longest = 1; longest < 40; longest += 3) {
+      set_board(places, 1 + places % QTR_MAX_SEEKERS, longest);
+      qtr_key least;
+      qtr_key greatest;
+      float value;
+      memset(&least, 0, sizeof least);
+      memset(&greatest, 0xFF, sizeof greatest);
+      const unsigned top = board.key_bits - 32u * (board.key_words - 1u);
+      if (top < 32) greatest.word[board.key_words - 1] >>= 32 - top;
+      TEST_ASSERT_TRUE(qtr_qtable_set(&table, &least, 1.0f));
+      TEST_ASSERT_TRUE(qtr_qtable_set(&table, &greatest, 2.0f));
+      TEST_ASSERT_EQUAL_UINT32(2, table.entries);
+      TEST_ASSERT_TRUE(qtr_qtable_get(&table, &least, &value) && value == 1.0f);
+      TEST_ASSERT_TRUE(qtr_qtable_get(&table, &greatest, &value) && value == 2.0f);
+    }
+  }
+}
+
+/* ---- sizes ---- */
+
+static uint32_t entry_bytes(unsigned places, unsigned seekers, unsigned longest) {
+  set_board(places, seekers, longest);
+  TEST_ASSERT_EQUAL_UINT32(4u * table.entry_words, qtr_qtable_entry_bytes(&table));
+  return qtr_qtable_entry_bytes(&table);
+}
+
+static void test_entries_are_small(void) {
+#ifdef QTR_PROFILE_MCU
+  TEST_ASSERT_LESS_OR_EQUAL(12, entry_bytes(16, 2, 200));
+  TEST_ASSERT_LESS_OR_EQUAL(16, entry_bytes(16, 4, 400));
+#else
+  TEST_ASSERT_LESS_OR_EQUAL(12, entry_bytes(20, 2, 200));
+  TEST_ASSERT_LESS_OR_EQUAL(20, entry_bytes(40, 4, 400));
+  TEST_ASSERT_LESS_OR_EQUAL(24, entry_bytes(60, 5, 800));
+#endif
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_table_is_a_plain_map);
+  RUN_TEST(test_growing_table_keeps_every_entry);
+  RUN_TEST(test_tables_of_every_small_size_fill_and_stay_right);
+  RUN_TEST(test_full_table_refuses_counts_and_stays_right);
+  RUN_TEST(test_array_itself_bounds_the_table);
+  RUN_TEST(test_init_empties_the_table);
+  RUN_TEST(test_greatest_and_least_keys_are_kept_apart);
+  RUN_TEST(test_entries_are_small);
+  return UNITY_END();
+}
