@@ -13,6 +13,7 @@
 static qtr_mission mission;
 static qtr_field field;
 static qtr_game game;
+static qtr_environment ground;
 static qtr_learner learner;
 static qtr_learner_config config;
 static brute_game brute;
@@ -28,11 +29,12 @@ void tearDown(void) {
 static void set_up_game(void) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&mission, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &field, NULL), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&ground, &game, NULL, &field), case_note);
 }
 
 static void begin(void) {
   set_up_game();
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&learner, &game, &config), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&learner, &ground, NULL, &config), case_note);
 }
 
 /* Forget the first game's care and the prices: the certificate must come from Q-learning alone. Returns with Q at the
@@ -43,6 +45,7 @@ static void weaken(test_random *random) {
   qtr_bound_settle(&learner.bound);
   learner.pricing = false;
   learner.upper = mission.objective == QTR_TIME ? 0.0 : 1e6;
+  learner.ground_upper = learner.upper;
   learner.best.score.value *= 1e-3;
   learner.best.score.expected_time = 1e9;
   learner.best.score.worth = mission.objective == QTR_TIME ? -1e9 : learner.best.score.value;
@@ -369,14 +372,14 @@ static void test_gap_that_is_no_number_is_refused(void) {
   begin();
   for (unsigned i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
     config.gap = wrong[i];
-    TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_learner_init(&learner, &game, &config));
+    TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_learner_init(&learner, &ground, NULL, &config));
   }
 }
 
 static void test_caller_of_another_build_is_refused(void) {
   mission_draw(&mission, "S1");
   begin();
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_CONFIG, qtr_learner_init_built(&learner, &game, &config, QTR_CONFIG_ID + 1u));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_CONFIG, qtr_learner_init_built(&learner, &ground, NULL, &config, QTR_CONFIG_ID + 1u));
 }
 
 static void test_defaults_are_those_documented(void) {

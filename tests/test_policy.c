@@ -147,6 +147,17 @@ static void test_sizes_that_do_not_add_up_are_refused(void) {
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_ROWS, 4, 2);
 }
 
+/* Bytes that belong to no section, though size and checksum count them. */
+static void test_gap_in_the_table_is_refused(void) {
+  make_table();
+  for (uint32_t more = 1; more <= 16; more++) {
+    memset(copy + table_size, 0, more);
+    store32_le(copy + QTR_POLICY_SIZE, table_size + more);
+    table_seal(copy, table_size + more);
+    TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_policy_open(&policy, copy, table_size + more));
+  }
+}
+
 static uint32_t cells_at(void) {
   return QTR_POLICY_HEADER_BYTES + 4;
 }
@@ -378,6 +389,7 @@ int main(void) {
   RUN_TEST(test_objective_that_is_none_is_refused);
   RUN_TEST(test_more_than_the_build_holds_is_refused);
   RUN_TEST(test_sizes_that_do_not_add_up_are_refused);
+  RUN_TEST(test_gap_in_the_table_is_refused);
   RUN_TEST(test_nodes_on_obstacles_or_off_the_map_are_refused);
   RUN_TEST(test_place_without_weight_is_refused);
   RUN_TEST(test_travel_time_that_might_overflow_is_refused);

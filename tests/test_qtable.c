@@ -186,24 +186,40 @@ static void test_init_empties_the_table(void) {
   }
 }
 
-static void test_greatest_and_least_keys_are_kept_apart(void) {
+static qtr_key greatest_key(void) {
+  qtr_key key;
+  const unsigned top = board.key_bits - 32u * (board.key_words - 1u);
+  memset(&key, 0xFF, sizeof key);
+  key.word[board.key_words - 1] >>= 32 - top;
+  return key;
+}
+
+/* Keys that differ in one of their highest bits alone, beside which the table keeps its own. */
+static void expect_high_bits_kept_apart(void) {
+  qtr_key keys[6];
+  float value;
+  memset(keys, 0, sizeof keys);
+  for (unsigned i = 1; i < 6; i++) {
+    const unsigned bit = board.key_bits > i ? board.key_bits - i : 0;
+    keys[i] = greatest_key();
+    if (i > 1 && bit > 0) keys[i].word[bit / 32] &= ~((uint32_t)1 << bit % 32);
+    if (i > 1 && bit == 0) return; /* a key of few bits has few to differ in */
+  }
+  for (unsigned i = 0; i < 6; i++) TEST_ASSERT_TRUE(qtr_qtable_set(&table, &keys[i], (float)i));
+  TEST_ASSERT_EQUAL_UINT32(6, table.entries);
+  for (unsigned i = 0; i < 6; i++) TEST_ASSERT_TRUE(qtr_qtable_get(&table, &keys[i], &value) && value == (float)i);
+}
+
+static void test_greatest_keys_are_kept_apart_whatever_their_bits(void) {
+  bool seen[32] = {false};
   for (unsigned places = 1; places <= QTR_MAX_PLACES; places++) {
     for (unsigned longest = 1; longest < 40; longest += 3) {
       set_board(places, 1 + places % QTR_MAX_SEEKERS, longest);
-      qtr_key least;
-      qtr_key greatest;
-      float value;
-      memset(&least, 0, sizeof least);
-      memset(&greatest, 0xFF, sizeof greatest);
-      const unsigned top = board.key_bits - 32u * (board.key_words - 1u);
-      if (top < 32) greatest.word[board.key_words - 1] >>= 32 - top;
-      TEST_ASSERT_TRUE(qtr_qtable_set(&table, &least, 1.0f));
-      TEST_ASSERT_TRUE(qtr_qtable_set(&table, &greatest, 2.0f));
-      TEST_ASSERT_EQUAL_UINT32(2, table.entries);
-      TEST_ASSERT_TRUE(qtr_qtable_get(&table, &least, &value) && value == 1.0f);
-      TEST_ASSERT_TRUE(qtr_qtable_get(&table, &greatest, &value) && value == 2.0f);
+      seen[board.key_bits % 32] = true;
+      expect_high_bits_kept_apart();
     }
   }
+  for (unsigned i = 0; i < 32; i++) TEST_ASSERT_TRUE(seen[i]);
 }
 
 /* ---- sizes ---- */
@@ -233,7 +249,7 @@ int main(void) {
   RUN_TEST(test_full_table_refuses_counts_and_stays_right);
   RUN_TEST(test_array_itself_bounds_the_table);
   RUN_TEST(test_init_empties_the_table);
-  RUN_TEST(test_greatest_and_least_keys_are_kept_apart);
+  RUN_TEST(test_greatest_keys_are_kept_apart_whatever_their_bits);
   RUN_TEST(test_entries_are_small);
   return UNITY_END();
 }

@@ -10,6 +10,7 @@
 #include "quarter/export.h"
 #include "quarter/status.h"
 #include "report.h"
+#include "study.h"
 
 static const char help[] =
     "quarter learn minefield.txt --robots 2             learn who visits what, print the certificate\n"
@@ -43,10 +44,10 @@ static const char help[] =
 
 static const option_set set = {"learn",
                                " output c json quiet robots objective rule gamma cell-size skip-unreachable gap"
-                               " time-limit episodes seed learner explore alpha "};
+                               " time-limit episodes seed learner explore alpha aggregate region-size region-diameter"
+                               " spot-size spot-diameter spot-order spot-likelihood "};
 
-static problem learnt;
-static qtr_learner learner;
+static study learnt;
 static volatile sig_atomic_t interrupted;
 
 /* The search ends after its step. A third signal ends the program at once; not the second, for some senders, timeout(1)
@@ -97,9 +98,9 @@ static void search(report *r, const options *o) {
   const double begin = clock_seconds();
   progress_begin(&shown, o->quiet, o->time_limit, o->gap);
   while (r->ended == NULL) {
-    const enum qtr_learning learning = qtr_learner_step(&learner);
+    const enum qtr_learning learning = qtr_learner_step(&learnt.learner);
     const double seconds = clock_seconds() - begin;
-    qtr_learner_certificate(&learner, &r->certificate);
+    qtr_learner_certificate(&learnt.learner, &r->certificate);
     progress_show(&shown, &r->certificate, seconds);
     r->ended = find_end(learning, o, r->certificate.episodes, seconds);
   }
@@ -118,11 +119,11 @@ static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bo
 
 /* The table, opened once as a robot will, gives the routes of the report: what is told is what was written. */
 static int write_table(report *r, const options *o, fault *why) {
-  const uint32_t size = qtr_export_size(&learner);
+  const uint32_t size = qtr_export_size(&learnt.learner);
   table t = {.bytes = {malloc(size), size}};
   int status = -1;
   if (t.bytes.data == NULL) return fault_set(why, "no memory for a table of %lu bytes", (unsigned long)size);
-  const int32_t written = qtr_export(&learner, t.bytes.data, size);
+  const int32_t written = qtr_export(&learnt.learner, t.bytes.data, size);
   if (written < 0 || qtr_policy_open(&t.policy, t.bytes.data, size) != QTR_OK) {
     fault_set(why, "the policy table does not open: %s; this is a fault of Quarter's", qtr_strerror(written));
   } else {
@@ -137,23 +138,17 @@ static int write_table(report *r, const options *o, fault *why) {
 }
 
 static int learn(const options *o, report *r, fault *why) {
-  if (check_outputs(o, why) != 0 || problem_read(&learnt, o, why) != 0) return -1;
-  qtr_learner_config config;
-  qtr_learner_config_default(&config);
-  config.gap = o->gap;
-  config.seed = o->seed;
-  config.setting = (uint8_t)o->setting;
-  config.exploration = o->exploration;
-  config.alpha = o->alpha;
+  if (check_outputs(o, why) != 0 || study_read(&learnt, o, why) != 0) return -1;
   const double begin = clock_seconds();
-  const int status = qtr_learner_init(&learner, &learnt.game, &config);
-  if (status != QTR_OK) return fault_set(why, "%s: %s", o->input, qtr_strerror(status));
+  if (study_begin(&learnt, o, why) != 0) return -1;
   catch_interrupts();
-  *r = (report){.command = "learn", .o = o, .p = &learnt};
+  *r = (report){.command = "learn", .o = o, .p = &learnt.p};
   search(r, o);
-  r->seconds = clock_seconds() - begin + learnt.travel_seconds;
-  r->q_entries = learner.table.entries;
-  r->q_bytes = (uint64_t)learner.table.entries * qtr_qtable_entry_bytes(&learner.table);
+  r->seconds = clock_seconds() - begin + learnt.p.travel_seconds;
+  r->regions = o->by_regions ? learnt.regions.count : 0;
+  r->spots = o->by_spots ? learnt.aggregate.targets : 0;
+  r->q_entries = learnt.learner.table.entries;
+  r->q_bytes = (uint64_t)learnt.learner.table.entries * qtr_qtable_entry_bytes(&learnt.learner.table);
   if (write_table(r, o, why) != 0) return -1;
   return report_write(r, why);
 }

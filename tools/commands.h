@@ -6,6 +6,8 @@ int command_learn(int argc, char **argv);
 int command_exact(int argc, char **argv);
 int command_simulate(int argc, char **argv);
 int command_inspect(int argc, char **argv);
+int command_tune(int argc, char **argv);
+int command_belief(int argc, char **argv);
 int command_draw(int argc, char **argv);
 
 #endif

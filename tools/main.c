@@ -11,6 +11,8 @@ static const char help[] =
     "quarter simulate mission.qtr --lost 1@40      play the policy, robots late or lost\n"
     "quarter draw mission.qtr -o mission.svg       a picture of the map, the territories and the routes\n"
     "quarter inspect mission.qtr                   what a policy table holds\n"
+    "quarter tune mission.yaml                     which aggregation loses least on the ground\n"
+    "quarter belief mission.yaml --history g.csv   likelihoods from where targets were found\n"
     "quarter exact mission.yaml                    the exact optimum of a small mission, for checking\n"
     "\n"
     "'quarter COMMAND --help' tells more; 'quarter --version' the version.\n"
@@ -25,7 +27,9 @@ static const struct {
                 {"exact", command_exact},
                 {"simulate", command_simulate},
                 {"inspect", command_inspect},
-                {"draw", command_draw}};
+                {"draw", command_draw},
+                {"tune", command_tune},
+                {"belief", command_belief}};
 
 int main(int argc, char **argv) {
   const char *word = argc > 1 ? argv[1] : "--help";

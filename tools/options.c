@@ -159,6 +159,45 @@ static int take_alpha(options *o, const char *name, const char *value, fault *wh
   return take_number(&o->alpha, name, value, "above 0 up to 1", 1e-9, 1.0, why);
 }
 
+static int take_aggregate(options *o, const char *name, const char *value, fault *why) {
+  static const char *const words[] = {"none", "regions", "spots", "both"};
+  for (int i = 0; i < 4; i++) {
+    if (strcmp(value, words[i]) != 0) continue;
+    o->by_regions = (i & 1) != 0;
+    o->by_spots = (i & 2) != 0;
+    return 0;
+  }
+  return fault_set(why, "--%s %s: say none, regions, spots or both", name, value);
+}
+
+static int take_region_size(options *o, const char *name, const char *value, fault *why) {
+  return take_int(&o->region_size, name, value, 1, QTR_MAX_REGION_SIZE, why);
+}
+
+static int take_region_diameter(options *o, const char *name, const char *value, fault *why) {
+  return take_int(&o->region_diameter, name, value, 1, QTR_MAX_REGION_DIAMETER, why);
+}
+
+static int take_spot_size(options *o, const char *name, const char *value, fault *why) {
+  return take_int(&o->spot_size, name, value, 1, QTR_MAX_SPOT_SIZE, why);
+}
+
+static int take_spot_diameter(options *o, const char *name, const char *value, fault *why) {
+  return take_int(&o->spot_diameter, name, value, 1, 1000000000, why);
+}
+
+static int take_spot_order(options *o, const char *name, const char *value, fault *why) {
+  return take_word(&o->spot_order, name, value, "best", "nearest", why);
+}
+
+static int take_spot_likelihood(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->spot_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
+}
+
+static int take_budget_entries(options *o, const char *name, const char *value, fault *why) {
+  return take_count(&o->budget_entries, name, value, 1, UINT64_MAX - 1, why);
+}
+
 static int take_gap(options *o, const char *name, const char *value, fault *why) {
   return take_number(&o->gap, name, value, "from 0 to 1 (0.01 is one per cent)", 0.0, 1.0, why);
 }
@@ -264,6 +303,14 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"learner", required_argument, 0, take_learner},
                                   {"explore", required_argument, 0, take_explore},
                                   {"alpha", required_argument, 0, take_alpha},
+                                  {"aggregate", required_argument, 0, take_aggregate},
+                                  {"region-size", required_argument, 0, take_region_size},
+                                  {"region-diameter", required_argument, 0, take_region_diameter},
+                                  {"spot-size", required_argument, 0, take_spot_size},
+                                  {"spot-diameter", required_argument, 0, take_spot_diameter},
+                                  {"spot-order", required_argument, 0, take_spot_order},
+                                  {"spot-likelihood", required_argument, 0, take_spot_likelihood},
+                                  {"budget-entries", required_argument, 0, take_budget_entries},
                                   {"gap", required_argument, 0, take_gap},
                                   {"time-limit", required_argument, 0, take_time_limit},
                                   {"episodes", required_argument, 0, take_episodes},
@@ -315,6 +362,10 @@ static void set_defaults(options *o) {
   o->rule = OPTIONS_UNSET;
   o->target = OPTIONS_UNSET;
   o->gap = 1e-5;
+  o->region_size = 25;
+  o->region_diameter = 15;
+  o->spot_size = 5;
+  o->spot_diameter = 25;
   o->detection = 1.0;
   o->alpha = 1.0;
   qtr_exploration_default(&o->exploration);

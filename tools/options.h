@@ -41,6 +41,11 @@ typedef struct {
   int setting; /* enum qtr_setting */
   qtr_exploration_plan exploration;
   double alpha;
+  bool by_regions, by_spots; /* aggregation */
+  int region_size, region_diameter;
+  int spot_size, spot_diameter, spot_order; /* enum qtr_spot_order */
+  double spot_likelihood;
+  uint64_t budget_entries; /* 0: none */
   double gap;
   double time_limit;   /* seconds; 0: none */
   uint64_t episodes;   /* 0: no limit */

@@ -14,8 +14,12 @@ double clock_seconds(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+bool progress_wanted(bool quiet) {
+  return !quiet && isatty(STDERR_FILENO);
+}
+
 void progress_begin(progress *p, bool quiet, double time_limit, double gap) {
-  *p = (progress){!quiet && isatty(STDERR_FILENO), time_limit, gap, 0.0, 0.0, HUGE_VAL, 0};
+  *p = (progress){progress_wanted(quiet), time_limit, gap, 0.0, 0.0, HUGE_VAL, 0};
 }
 
 /* Seconds until the gap is closed if it goes on falling by the same factor a second; the time limit if that is sooner.

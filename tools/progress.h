@@ -15,6 +15,9 @@ typedef struct {
   uint64_t mark_episodes;
 } progress;
 
+/* Whether to show any: standard error is a terminal. */
+bool progress_wanted(bool quiet);
+
 void progress_begin(progress *p, bool quiet, double time_limit, double gap);
 
 /* Draw the line anew if it is time to. `seconds` since the search began. */

@@ -53,6 +53,8 @@ static void write_json(FILE *out, const report *r) {
   json_natural(&j, "episodes", c->episodes);
   json_natural(&j, "updates", c->updates);
   json_number(&j, "max_q", c->max_q);
+  json_natural(&j, "regions", r->regions);
+  json_natural(&j, "spots", r->spots);
   json_natural(&j, "price_steps", c->price_steps);
   json_natural(&j, "q_entries", r->q_entries);
   json_natural(&j, "q_bytes", r->q_bytes);

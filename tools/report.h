@@ -18,6 +18,7 @@ typedef struct {
   const options *o;
   const problem *p;
   qtr_certificate certificate;
+  uint32_t regions, spots;     /* 0: not aggregated so */
   uint64_t q_entries, q_bytes; /* of the entries, keys and values */
   double seconds;              /* from the travel times to the certificate */
   uint32_t table_bytes;        /* 0: no table was made */

@@ -1,10 +1,12 @@
 /* Upper bounds on what a game can still bring, from prices.
  *
- * Every place p gets a price. A seeker alone, at place j at step t, can then collect net of prices at most
+ * Every target (a place, or a spot) gets a price. A seeker alone, at place j at step t, can then collect net of prices at
+ * most
  *
  *   C(t, j) = max(0, max over p of worth(p, t + d(j,p)) - price(p) + C(t + d(j,p), p)),
  *
- * places allowed to repeat, but not to go straight back. For all prices, the sum of prices plus the seekers' C from their
+ * with spots for p the target's tour, whose worth is that of its visits, and in the last term its end and exit; targets
+ * allowed to repeat, but not to go straight back. For all prices, the sum of prices plus the seekers' C from their
  * starts is at least the optimum: in any play each place is visited first by one seeker, who pays its price. Under
  * expected time every place must be visited, so that prices of either sign will do, and worth(p, t) = -P t needs no
  * horizon; under discounting prices are at least 0, because a place might be left out.
@@ -21,19 +23,21 @@
 #include <stdint.h>
 
 #include "quarter/config.h"
-#include "quarter/game.h"
+#include "quarter/environment.h"
 
-/* What a walk that comes to a place can collect, the place included; and where it goes on to. */
+/* What a walk that comes to a place, the first of a target's tour, can collect, the tour included; and the target that it
+ * goes on to. */
 typedef struct {
   double best;    /* the best way on */
-  double second;  /* the best way on to any other place */
+  double second;  /* the best way on to any other target */
   uint16_t to;    /* where the best goes on to; QTR_STAND_DOWN: it ends here */
   uint16_t other; /* where the second goes on to */
 } qtr_gain;
 
 /* Large: keep it in static storage. */
 typedef struct {
-  const qtr_game *game;
+  const qtr_environment *environment;
+  const qtr_game *game; /* the environment's */
   double upper;                   /* the bound on the whole game under `price` */
   double price[QTR_MAX_PLACES];   /* the best so far, in force */
   double trial[QTR_MAX_PLACES];   /* being tried */
@@ -42,24 +46,25 @@ typedef struct {
   uint32_t iterations;
   uint32_t slots;     /* in use */
   qtr_steps slot_steps; /* steps a slot */
-  qtr_steps travel[QTR_MAX_NODES * QTR_MAX_PLACES];   /* as in the game, unpacked */
-  uint32_t slots_apart[QTR_MAX_NODES * QTR_MAX_PLACES]; /* the same in slots, rounded down */
+  qtr_steps travel[QTR_MAX_NODES * QTR_MAX_PLACES]; /* to places, as in the game, unpacked */
+  uint32_t slots_apart[QTR_MAX_PLACES * QTR_MAX_PLACES]; /* from a tour's first place to the next target's: in slots */
   double late[QTR_MAX_PLACES]; /* gains past the last slot */
   qtr_gain gain[QTR_BOUND_SLOTS * QTR_MAX_PLACES];
 } qtr_bound;
 
-/* Start from a known play: each place's step of first visit sets its price, the last visit sets the horizon. */
-void qtr_bound_init(qtr_bound *bound, const qtr_game *game, const qtr_steps *visit);
+/* Start from a known play: the visits of each target's places set its price, the last visit sets the horizon. The
+ * environment must be without regions and outlive the bound. */
+void qtr_bound_init(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit);
 
-/* One subgradient step towards `target`, the worth of the best play known. False when more steps are of no use; the best
+/* One subgradient step towards `goal`, the worth of the best play known. False when more steps are of no use; the best
  * prices are then in force. */
-bool qtr_bound_improve(qtr_bound *bound, double target);
+bool qtr_bound_improve(qtr_bound *bound, double goal);
 
 /* Put the best prices in force, whatever was being tried. */
 void qtr_bound_settle(qtr_bound *bound);
 
-/* The most that can come after a choice, counted from now: `after` is the joint state just after it, before time passes;
- * `now` its step and `unvisited` the probability of the places not yet visited. Never less than the truth. */
-double qtr_bound_state(const qtr_bound *bound, const qtr_joint *after, qtr_steps now, double unvisited);
+/* The most that can come after a choice, counted from now: `after` is the situation just after it, before time passes.
+ * Never less than the truth. */
+double qtr_bound_state(const qtr_bound *bound, const qtr_situation *after);
 
 #endif

@@ -42,6 +42,34 @@
 #endif
 #endif
 
+/* Places of a hiding spot, 1..8. The best order inside a spot is worked out over the subsets of its places, in
+ * 12 * size * 2^size bytes of scratch. */
+#ifndef QTR_MAX_SPOT_SIZE
+#ifdef QTR_PROFILE_MCU
+#define QTR_MAX_SPOT_SIZE 5
+#else
+#define QTR_MAX_SPOT_SIZE 8
+#endif
+#endif
+
+/* Learner: regions that a map is divided into. */
+#ifndef QTR_MAX_REGIONS
+#ifdef QTR_PROFILE_MCU
+#define QTR_MAX_REGIONS 1024
+#else
+#define QTR_MAX_REGIONS (128 * 1024)
+#endif
+#endif
+
+/* Learner: greatest limits that a division may be asked for: cells in a region, 1..4095, and steps between two of them,
+ * 1..65535. The work for each cell of the map grows with the regions' size. */
+#ifndef QTR_MAX_REGION_SIZE
+#define QTR_MAX_REGION_SIZE 255
+#endif
+#ifndef QTR_MAX_REGION_DIAMETER
+#define QTR_MAX_REGION_DIAMETER 65535
+#endif
+
 /* Learner: 32-bit words given to the Q-table's entries. An entry takes 2 words for a small mission and up to 7 for a
  * large one. A full table refuses new entries and counts them; the certificate stays valid, its gap closes slower. */
 #ifndef QTR_QTABLE_WORDS
@@ -71,6 +99,18 @@
 #if QTR_MAX_SEEKERS < 1 || QTR_MAX_SEEKERS > 255
 #error "QTR_MAX_SEEKERS must lie in 1..255"
 #endif
+#if QTR_MAX_SPOT_SIZE < 1 || QTR_MAX_SPOT_SIZE > 8
+#error "QTR_MAX_SPOT_SIZE must lie in 1..8"
+#endif
+#if QTR_MAX_REGIONS < 1 || QTR_MAX_REGIONS > 16777216
+#error "QTR_MAX_REGIONS must lie in 1..16777216"
+#endif
+#if QTR_MAX_REGION_SIZE < 1 || QTR_MAX_REGION_SIZE > 4095
+#error "QTR_MAX_REGION_SIZE must lie in 1..4095"
+#endif
+#if QTR_MAX_REGION_DIAMETER < 1 || QTR_MAX_REGION_DIAMETER > 65535
+#error "QTR_MAX_REGION_DIAMETER must lie in 1..65535"
+#endif
 #if QTR_BOUND_SLOTS < 16
 #error "QTR_BOUND_SLOTS must be 16 or more"
 #endif
@@ -83,6 +123,14 @@ typedef uint32_t qtr_cell;
 #endif
 #define QTR_NO_CELL ((qtr_cell)-1)
 
+/* A region's number, 0 and up. */
+#if QTR_MAX_REGIONS <= 65535
+typedef uint16_t qtr_region;
+#else
+typedef uint32_t qtr_region;
+#endif
+#define QTR_NO_REGION ((qtr_region)-1)
+
 /* A duration or a moment, in steps of the grid. */
 typedef uint32_t qtr_steps;
 #define QTR_NEVER UINT32_MAX
@@ -91,6 +139,7 @@ typedef uint32_t qtr_steps;
 #define QTR_CONFIG_ID                                                                                                  \
   ((uint32_t)(((uint32_t)(QTR_MAX_CELLS) * 2654435761u) ^ ((uint32_t)(QTR_MAX_PLACES) * 2246822519u) ^                 \
               ((uint32_t)(QTR_MAX_SEEKERS) * 3266489917u) ^ ((uint32_t)(QTR_QTABLE_WORDS) * 668265263u) ^              \
-              ((uint32_t)(QTR_BOUND_SLOTS) * 374761393u)))
+              ((uint32_t)(QTR_BOUND_SLOTS) * 374761393u) ^ ((uint32_t)(QTR_MAX_SPOT_SIZE) * 1013904223u) ^          \
+              ((uint32_t)(QTR_MAX_REGIONS) * 2246822507u) ^ ((uint32_t)(QTR_MAX_REGION_SIZE) * 3266489909u)))
 
 #endif

@@ -57,6 +57,9 @@ typedef struct {
   uint32_t word[QTR_KEY_WORDS];
 } qtr_key;
 
+/* Derive the size of the keys from places, starts, seekers and longest. Part of qtr_board_init(). */
+void qtr_board_measure_keys(qtr_board *board);
+
 /* Check the first part and derive the rest. QTR_OK, QTR_ERR_ARGUMENT, or QTR_ERR_LIMIT. */
 int qtr_board_init(qtr_board *board);
 

@@ -2,15 +2,20 @@
 #ifndef QUARTER_LEARN_H
 #define QUARTER_LEARN_H
 
+#include "quarter/belief.h"
 #include "quarter/bound.h"
+#include "quarter/environment.h"
 #include "quarter/explore.h"
 #include "quarter/export.h"
 #include "quarter/game.h"
 #include "quarter/learner.h"
 #include "quarter/mission.h"
+#include "quarter/nearby.h"
 #include "quarter/play.h"
 #include "quarter/qtable.h"
 #include "quarter/refine.h"
+#include "quarter/regions.h"
 #include "quarter/robot.h"
+#include "quarter/spots.h"
 
 #endif

@@ -21,6 +21,7 @@
 
 #include "quarter/bound.h"
 #include "quarter/config.h"
+#include "quarter/environment.h"
 #include "quarter/explore.h"
 #include "quarter/game.h"
 #include "quarter/joint.h"
@@ -45,7 +46,8 @@ void qtr_learner_config_default(qtr_learner_config *config);
 enum qtr_learning {
   QTR_LEARNING = 0,  /* the gap is open and further steps can close it */
   QTR_CERTIFIED = 1, /* the gap is closed */
-  QTR_CONVERGED = 2  /* nothing more can be learnt: Q is at its fixed point, or the table is full */
+  QTR_CONVERGED = 2  /* nothing more can be learnt: Q is at its fixed point (on an aggregate: it has the best policy that
+                        the aggregate allows, and what a gap is left is the aggregate's), or the table is full */
 };
 
 /* The state of knowledge after a step. */
@@ -77,17 +79,22 @@ typedef struct {
   double q;         /* of the choice made */
   double runner_up; /* largest Q of the other choices */
   double at_once;   /* as in the candidates */
+  uint16_t first;   /* place that the choice leads to first */
   qtr_outcome outcome;
 } qtr_trace;
 
 /* Large: keep it in static storage. */
 typedef struct {
   const qtr_game *game;
+  const qtr_environment *ground;      /* the game itself */
+  const qtr_environment *environment; /* what is learnt on: the ground, or an aggregate of it */
   qtr_learner_config config;
   qtr_play best;
-  double upper; /* certified: the largest Q of the first state; paper: the prices' bound */
+  double upper;        /* certified: the largest Q of the first state; paper: the prices' bound */
+  double ground_upper; /* the bound on the game itself, from its prices */
   double max_q; /* the largest Q of the first state before the last episode */
   bool pricing; /* the bound is still being tuned */
+  bool aggregate_priced; /* the ground's prices are done with, and the aggregate's in force */
   uint64_t episodes, updates;
   qtr_play play;
   qtr_routes routes;
@@ -99,11 +106,14 @@ typedef struct {
   qtr_qtable table;
 } qtr_learner;
 
-/* Begin. The game must outlive the learner. QTR_OK, QTR_ERR_ARGUMENT for a config out of range, or QTR_ERR_CONFIG if
- * the caller was built under other array sizes. */
-#define qtr_learner_init(learner, game, config) qtr_learner_init_built(learner, game, config, QTR_CONFIG_ID)
-int qtr_learner_init_built(qtr_learner *learner, const qtr_game *game, const qtr_learner_config *config,
-                           uint32_t config_id);
+/* Begin, on the ground (an environment without aggregation) or on an aggregate of the same game (NULL: none). Then the
+ * game must have the free rule: what was learnt on the aggregate is played on the ground as routes. Both environments
+ * must outlive the learner. QTR_OK, QTR_ERR_ARGUMENT for a config out of range or the certified setting on regions, whose
+ * times are no bound, or QTR_ERR_CONFIG if the caller was built under other array sizes. */
+#define qtr_learner_init(learner, ground, aggregate, config)                                                           \
+  qtr_learner_init_built(learner, ground, aggregate, config, QTR_CONFIG_ID)
+int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, const qtr_environment *aggregate,
+                           const qtr_learner_config *config, uint32_t config_id);
 
 /* Learn a little more: some steps of the bound's prices, or one episode. May be stopped after any step; calling it again
  * after the end does nothing. */

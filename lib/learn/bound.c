@@ -13,13 +13,27 @@ static unsigned places_of(const qtr_bound *bound) {
   return bound->game->board.places;
 }
 
+static unsigned targets_of(const qtr_bound *bound) {
+  return bound->environment->targets;
+}
+
 static const qtr_steps *travel_from(const qtr_bound *bound, unsigned node) {
   return bound->travel + (size_t)node * places_of(bound);
 }
 
+/* The first place of a target's tour from a node; QTR_STAND_DOWN if there is no way. */
+static uint16_t first_of(const qtr_bound *bound, unsigned node, unsigned target) {
+  return bound->environment->first[(size_t)node * targets_of(bound) + target];
+}
+
+/* The target that a node belongs to; starts belong to none. */
+static unsigned target_at(const qtr_bound *bound, unsigned node) {
+  return node < places_of(bound) ? bound->environment->spots.spot_of[node] : QTR_STAND_DOWN;
+}
+
 /* ---- the walks of one seeker ---- */
 
-/* What a walk from place or start `from` collects that comes to `place` in `slot`: it may not go straight back. */
+/* What a walk from target `from` collects that begins the tour at `place` in `slot`: it may not go straight back. */
 static double gain_in(const qtr_bound *bound, unsigned from, unsigned place, uint32_t slot) {
   if (slot >= bound->slots) return bound->late[place];
   const qtr_gain *gain = &bound->gain[(size_t)slot * places_of(bound) + place];
@@ -30,41 +44,62 @@ static double gain_at(const qtr_bound *bound, unsigned from, unsigned place, qtr
   return gain_in(bound, from, place, bound->slot_steps == 1 ? when : when / bound->slot_steps);
 }
 
+/* What the tour begun at `place` is worth, net of its price. */
+static double net_worth(const qtr_bound *bound, const double *price, unsigned place, qtr_steps when) {
+  const qtr_tour *tour = &bound->environment->tour[place];
+  double worth = -price[tour->target];
+  for (unsigned i = 0; i < tour->places; i++)
+    worth += qtr_game_worth(bound->game, tour->place[i], when + tour->step[i]);
+  return worth;
+}
+
+/* What a target is worth at most from some step on: all of its places at once. */
+static double target_worth(const qtr_bound *bound, unsigned target, qtr_steps when) {
+  const qtr_spots *spots = &bound->environment->spots;
+  double worth = 0.0;
+  for (unsigned i = 0; i < spots->size[target]; i++)
+    worth += qtr_game_worth(bound->game, spots->place[target][i], when);
+  return worth;
+}
+
 /* All that is left, collected at once at the first step past the last slot. */
 static void fill_late(qtr_bound *bound, const double *price) {
-  const unsigned places = places_of(bound);
   const qtr_steps end = bound->slots * bound->slot_steps;
   double all = 0.0;
-  for (unsigned place = 0; place < places; place++) {
-    const double net = qtr_game_worth(bound->game, place, end) - price[place];
+  for (unsigned target = 0; target < targets_of(bound); target++) {
+    const double net = target_worth(bound, target, end) - price[target];
     all += net > 0.0 ? net : 0.0;
   }
-  for (unsigned place = 0; place < places; place++) {
-    const double net = qtr_game_worth(bound->game, place, end) - price[place];
+  for (unsigned place = 0; place < places_of(bound); place++) {
+    const unsigned target = bound->environment->spots.spot_of[place];
+    const double net = target_worth(bound, target, end) - price[target];
     bound->late[place] = all + (net > 0.0 ? 0.0 : net);
   }
 }
 
-static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned at, double net) {
-  const unsigned places = places_of(bound);
-  const uint32_t *apart = bound->slots_apart + (size_t)at * places;
-  qtr_gain *gain = &bound->gain[(size_t)slot * places + at];
+static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned place, double net) {
+  const qtr_tour *tour = &bound->environment->tour[place];
+  const unsigned targets = targets_of(bound);
+  const uint16_t *first = bound->environment->first + (size_t)tour->place[tour->places - 1] * targets;
+  const uint32_t *apart = bound->slots_apart + (size_t)place * targets;
+  const uint16_t here = tour->target;
+  qtr_gain *gain = &bound->gain[(size_t)slot * places_of(bound) + place];
   double best = 0.0;
   double second = 0.0;
   uint16_t to = QTR_STAND_DOWN;
   uint16_t other = QTR_STAND_DOWN;
-  for (unsigned place = 0; place < places; place++) {
-    if (place == at || apart[place] == QTR_NEVER) continue;
-    const double on = gain_in(bound, at, place, slot + apart[place]);
+  for (unsigned target = 0; target < targets; target++) {
+    if (apart[target] == QTR_NEVER) continue;
+    const double on = gain_in(bound, here, first[target], slot + apart[target]);
     if (on <= second) continue;
     if (on > best) {
       second = best;
       other = to;
       best = on;
-      to = (uint16_t)place;
+      to = (uint16_t)target;
     } else {
       second = on;
-      other = (uint16_t)place;
+      other = (uint16_t)target;
     }
   }
   gain->best = net + best;
@@ -75,54 +110,55 @@ static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned at, double net) 
 
 static void fill_gains(qtr_bound *bound, const double *price) {
   fill_late(bound, price);
-  for (uint32_t slot = bound->slots; slot-- > 0;) {
-    for (unsigned place = 0; place < places_of(bound); place++) {
-      const double worth = qtr_game_worth(bound->game, place, slot * bound->slot_steps);
-      fill_gain(bound, slot, place, worth - price[place]);
-    }
-  }
+  for (uint32_t slot = bound->slots; slot-- > 0;)
+    for (unsigned place = 0; place < places_of(bound); place++)
+      if (bound->environment->tour[place].places > 0)
+        fill_gain(bound, slot, place, net_worth(bound, price, place, slot * bound->slot_steps));
 }
 
-/* The first place of the best walk from a start; QTR_STAND_DOWN if staying is best. */
+/* The first target of the best walk from a start; QTR_STAND_DOWN if staying is best. */
 static uint16_t first_of_walk(const qtr_bound *bound, unsigned start_node, double *collected) {
   const qtr_steps *travel = travel_from(bound, start_node);
-  uint16_t first = QTR_STAND_DOWN;
+  uint16_t best = QTR_STAND_DOWN;
   *collected = 0.0;
-  for (unsigned place = 0; place < places_of(bound); place++) {
-    if (travel[place] == QTR_NEVER) continue;
-    const double gain = gain_at(bound, start_node, place, travel[place]);
+  for (unsigned target = 0; target < targets_of(bound); target++) {
+    const uint16_t first = first_of(bound, start_node, target);
+    if (first == QTR_STAND_DOWN) continue;
+    const double gain = gain_at(bound, QTR_STAND_DOWN, first, travel[first]);
     if (gain <= *collected) continue;
     *collected = gain;
-    first = (uint16_t)place;
+    best = (uint16_t)target;
   }
-  return first;
+  return best;
 }
 
-static void count_walk(const qtr_bound *bound, unsigned start_node, uint16_t first, int *visits) {
-  unsigned from = start_node;
-  uint16_t at = first;
-  qtr_steps now = 0;
-  while (at != QTR_STAND_DOWN) {
-    visits[at]++;
-    now += travel_from(bound, from)[at];
-    const uint32_t slot = now / bound->slot_steps;
+static void count_walk(const qtr_bound *bound, unsigned start_node, uint16_t target, int *visits) {
+  unsigned node = start_node;
+  unsigned from = QTR_STAND_DOWN;
+  uint32_t slot = 0;
+  while (target != QTR_STAND_DOWN) {
+    const uint16_t first = first_of(bound, node, target);
+    visits[target]++;
+    slot = from == QTR_STAND_DOWN ? travel_from(bound, node)[first] / bound->slot_steps
+                                  : slot + bound->slots_apart[(size_t)from * targets_of(bound) + target];
     if (slot >= bound->slots) return;
-    now = slot * bound->slot_steps;
-    const qtr_gain *gain = &bound->gain[(size_t)slot * places_of(bound) + at];
-    const uint16_t next = gain->to == from ? gain->other : gain->to;
-    from = at;
-    at = next;
+    const qtr_tour *tour = &bound->environment->tour[first];
+    const qtr_gain *gain = &bound->gain[(size_t)slot * places_of(bound) + first];
+    const unsigned before = target_at(bound, node);
+    node = tour->place[tour->places - 1];
+    from = first;
+    target = before != QTR_STAND_DOWN && gain->to == before ? gain->other : gain->to;
   }
 }
 
-/* The bound under `price`; adds up how often the seekers' best walks visit each place. */
+/* The bound under `price`; adds up how often the seekers' best walks visit each target. */
 static double evaluate(qtr_bound *bound, const double *price, int *visits) {
   const qtr_board *board = &bound->game->board;
   double upper = 0.0;
   fill_gains(bound, price);
-  for (unsigned place = 0; place < board->places; place++) {
-    upper += price[place];
-    visits[place] = 0;
+  for (unsigned target = 0; target < targets_of(bound); target++) {
+    upper += price[target];
+    visits[target] = 0;
   }
   for (unsigned seeker = 0; seeker < board->seekers; seeker++) {
     const unsigned node = (unsigned)board->places + board->start_of[seeker];
@@ -135,79 +171,94 @@ static double evaluate(qtr_bound *bound, const double *price, int *visits) {
 
 /* ---- prices ---- */
 
-/* Slots as short as the horizon allows, but never longer than the shortest way between two places: a walk must move on
+static void restart_from_best(qtr_bound *bound) {
+  for (unsigned target = 0; target < targets_of(bound); target++) bound->trial[target] = bound->price[target];
+}
+
+/* Steps from the start of the tour at `place` to the start of the next target's. */
+static qtr_steps steps_apart(const qtr_bound *bound, unsigned place, unsigned target) {
+  const qtr_tour *tour = &bound->environment->tour[place];
+  if (tour->places == 0 || tour->target == target) return QTR_NEVER;
+  const uint16_t last = tour->place[tour->places - 1];
+  const uint16_t first = first_of(bound, last, target);
+  return first == QTR_STAND_DOWN ? QTR_NEVER : tour->step[tour->places - 1] + travel_from(bound, last)[first];
+}
+
+/* Slots as short as the horizon allows, but never longer than the shortest way between two targets: a walk must move on
  * in time. */
 static void cut_time(qtr_bound *bound, qtr_steps last_visit) {
-  const qtr_board *board = &bound->game->board;
+  const unsigned places = places_of(bound);
+  const unsigned targets = targets_of(bound);
   qtr_steps shortest = QTR_NEVER;
-  for (unsigned from = 0; from < board->places; from++)
-    for (unsigned to = 0; to < board->places; to++)
-      if (from != to && travel_from(bound, from)[to] < shortest) shortest = travel_from(bound, from)[to];
-  const uint64_t horizon = (uint64_t)last_visit * HORIZON + board->longest + 2;
+  for (unsigned place = 0; place < places; place++)
+    for (unsigned target = 0; target < targets; target++)
+      if (steps_apart(bound, place, target) < shortest) shortest = steps_apart(bound, place, target);
+  const uint64_t horizon = (uint64_t)last_visit * HORIZON + bound->environment->board.longest + 2;
   uint64_t steps = (horizon + QTR_BOUND_SLOTS - 1) / QTR_BOUND_SLOTS;
   if (steps > shortest) steps = shortest;
   const uint64_t slots = (horizon + steps - 1) / steps;
   bound->slot_steps = (qtr_steps)steps;
   bound->slots = (uint32_t)(slots < QTR_BOUND_SLOTS ? slots : QTR_BOUND_SLOTS);
+  for (unsigned place = 0; place < places; place++) {
+    for (unsigned target = 0; target < targets; target++) {
+      const qtr_steps apart = steps_apart(bound, place, target);
+      bound->slots_apart[(size_t)place * targets + target] = apart == QTR_NEVER ? QTR_NEVER : apart / bound->slot_steps;
+    }
+  }
 }
 
-static void measure_slots(qtr_bound *bound) {
-  const qtr_board *board = &bound->game->board;
-  const size_t pairs = (size_t)(board->places + board->starts) * board->places;
-  for (size_t i = 0; i < pairs; i++)
-    bound->slots_apart[i] = bound->travel[i] == QTR_NEVER ? QTR_NEVER : bound->travel[i] / bound->slot_steps;
-}
-
-void qtr_bound_init(qtr_bound *bound, const qtr_game *game, const qtr_steps *visit) {
-  const qtr_board *board = &game->board;
+/* The prices that the targets would fetch in a known play. */
+static qtr_steps price_by_visits(qtr_bound *bound, const qtr_steps *visit) {
   qtr_steps last = 0;
-  bound->game = game;
+  for (unsigned target = 0; target < targets_of(bound); target++) bound->price[target] = 0.0;
+  for (unsigned place = 0; place < places_of(bound); place++) {
+    bound->price[bound->environment->spots.spot_of[place]] += qtr_game_worth(bound->game, place, visit[place]);
+    if (visit[place] > last) last = visit[place];
+  }
+  return last;
+}
+
+void qtr_bound_init(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit) {
+  const qtr_board *board = &environment->game->board;
+  int visits[QTR_MAX_PLACES];
+  bound->environment = environment;
+  bound->game = environment->game;
   for (unsigned node = 0; node < (unsigned)board->places + board->starts; node++)
     for (unsigned place = 0; place < board->places; place++)
       bound->travel[(size_t)node * board->places + place] = qtr_board_steps(board, node, place);
-  for (unsigned place = 0; place < board->places; place++) {
-    bound->trial[place] = qtr_game_worth(game, place, visit[place]);
-    bound->price[place] = bound->trial[place];
-    if (visit[place] > last) last = visit[place];
-  }
-  cut_time(bound, last);
-  measure_slots(bound);
+  cut_time(bound, price_by_visits(bound, visit));
   bound->scale = SCALE_FIRST;
   bound->iterations = 0;
   bound->steps_without_gain = 0;
-  int visits[QTR_MAX_PLACES];
+  restart_from_best(bound);
   bound->upper = evaluate(bound, bound->price, visits);
 }
 
 static void keep_trial(qtr_bound *bound, double upper) {
   bound->upper = upper;
-  for (unsigned place = 0; place < places_of(bound); place++) bound->price[place] = bound->trial[place];
+  for (unsigned target = 0; target < targets_of(bound); target++) bound->price[target] = bound->trial[target];
 }
 
-static void restart_from_best(qtr_bound *bound) {
-  for (unsigned place = 0; place < places_of(bound); place++) bound->trial[place] = bound->price[place];
-}
-
-/* Polyak's step: as far as would reach the target if the bound fell on as it falls here. */
-static bool move_trial(qtr_bound *bound, double upper, double target, const int *visits) {
+/* Polyak's step: as far as would reach the goal if the bound fell on as it falls here. */
+static bool move_trial(qtr_bound *bound, double upper, double goal, const int *visits) {
   double square = 0.0;
-  for (unsigned place = 0; place < places_of(bound); place++)
-    square += (double)((visits[place] - 1) * (visits[place] - 1));
+  for (unsigned target = 0; target < targets_of(bound); target++)
+    square += (double)((visits[target] - 1) * (visits[target] - 1));
   if (square == 0.0) return false;
-  const double step = bound->scale * (upper - target) / square;
-  for (unsigned place = 0; place < places_of(bound); place++) {
-    bound->trial[place] += step * (double)(visits[place] - 1);
-    if (bound->game->mission->objective == QTR_DISCOUNTED && bound->trial[place] < 0.0) bound->trial[place] = 0.0;
+  const double step = bound->scale * (upper - goal) / square;
+  for (unsigned target = 0; target < targets_of(bound); target++) {
+    bound->trial[target] += step * (double)(visits[target] - 1);
+    if (bound->game->mission->objective == QTR_DISCOUNTED && bound->trial[target] < 0.0) bound->trial[target] = 0.0;
   }
   return true;
 }
 
-bool qtr_bound_improve(qtr_bound *bound, double target) {
+bool qtr_bound_improve(qtr_bound *bound, double goal) {
   int visits[QTR_MAX_PLACES];
   const double upper = evaluate(bound, bound->trial, visits);
   bound->iterations++;
-  /* Less than a thousandth of the way to the target is no gain: or the steps would never end. */
-  const bool gained = upper < bound->upper - 1e-3 * (bound->upper - target);
+  /* Less than a thousandth of the way to the goal is no gain: or the steps would never end. */
+  const bool gained = upper < bound->upper - 1e-3 * (bound->upper - goal);
   if (upper < bound->upper) keep_trial(bound, upper);
   if (gained) {
     bound->steps_without_gain = 0;
@@ -217,7 +268,7 @@ bool qtr_bound_improve(qtr_bound *bound, double target) {
     restart_from_best(bound);
     evaluate(bound, bound->trial, visits);
   }
-  return upper > target && bound->scale >= SCALE_LEAST && move_trial(bound, upper, target, visits);
+  return upper > goal && bound->scale >= SCALE_LEAST && move_trial(bound, upper, goal, visits);
 }
 
 void qtr_bound_settle(qtr_bound *bound) {
@@ -226,72 +277,93 @@ void qtr_bound_settle(qtr_bound *bound) {
 
 /* ---- states ---- */
 
-static bool is_free_place(const qtr_joint *after, unsigned place) {
-  return !qtr_places_has(&after->visited, place) && !qtr_places_has(&after->bound, place);
+static bool is_free(const qtr_situation *after, unsigned target) {
+  return !qtr_places_has(&after->joint.visited, target) && !qtr_places_has(&after->joint.bound, target);
 }
 
-/* The most that one seeker can collect from its next free moment on, its first step going to a free place. */
-static double collect_on(const qtr_bound *bound, const qtr_joint *after, unsigned node, qtr_steps when) {
+/* The most that one seeker can collect from its next free moment on, its first step going to a free target. */
+static double collect_on(const qtr_bound *bound, const qtr_situation *after, unsigned node, qtr_steps when) {
   const qtr_steps *travel = travel_from(bound, node);
+  const unsigned here = target_at(bound, node);
   double best = 0.0;
-  for (unsigned place = 0; place < places_of(bound); place++) {
-    if (travel[place] == QTR_NEVER || !is_free_place(after, place)) continue;
-    const double gain = gain_at(bound, node, place, when + travel[place]);
+  for (unsigned target = 0; target < targets_of(bound); target++) {
+    if (!is_free(after, target)) continue;
+    const uint16_t first = first_of(bound, node, target);
+    if (first == QTR_STAND_DOWN) continue;
+    const double gain = gain_at(bound, here, first, when + travel[first]);
     if (gain > best) best = gain;
   }
   return best;
 }
 
 /* When the first of the seekers can be at a place. */
-static qtr_steps soonest(const qtr_bound *bound, const qtr_joint *after, unsigned place, qtr_steps now) {
+static qtr_steps soonest(const qtr_bound *bound, const qtr_situation *after, unsigned place) {
+  const qtr_joint *joint = &after->joint;
   qtr_steps least = QTR_NEVER;
   for (unsigned i = 0; i < bound->game->board.seekers; i++) {
-    if (after->node[i] == QTR_STAND_DOWN) continue;
-    const qtr_steps way = after->node[i] == place ? 0 : travel_from(bound, after->node[i])[place];
-    if (way != QTR_NEVER && now + after->remaining[i] + way < least) least = now + after->remaining[i] + way;
+    if (joint->node[i] == QTR_STAND_DOWN) continue;
+    const unsigned node = qtr_environment_exit(bound->environment, after, i);
+    const qtr_steps way = node == place ? 0 : travel_from(bound, node)[place];
+    if (way != QTR_NEVER && after->now + joint->remaining[i] + way < least) least = after->now + joint->remaining[i] + way;
   }
   return least;
 }
 
-/* Visits under way. Under the paper's rule another seeker may come before the one that is bound for the place. */
-static double worth_under_way(const qtr_bound *bound, const qtr_joint *after, qtr_steps now) {
-  const qtr_board *board = &bound->game->board;
+/* The visits that a seeker is on its way to. Under the paper's rule another one may be there first. */
+static double worth_of_tour(const qtr_bound *bound, const qtr_situation *after, unsigned seeker) {
+  const qtr_tour *tour = &bound->environment->tour[after->at[seeker]];
   double worth = 0.0;
-  for (unsigned i = 0; i < board->seekers && board->rule == QTR_RULE_FREE; i++)
-    if (after->remaining[i] > 0) worth += qtr_game_worth(bound->game, after->node[i], now + after->remaining[i]);
-  for (unsigned place = 0; place < board->places && board->rule == QTR_RULE_PAPER; place++)
-    if (qtr_places_has(&after->bound, place))
-      worth += qtr_game_worth(bound->game, place, soonest(bound, after, place, now));
+  for (unsigned i = 0; i < tour->places; i++) {
+    const qtr_steps left = qtr_environment_visit(bound->environment, after, seeker, i);
+    if (left == 0) continue;
+    qtr_steps when = after->now + left;
+    if (bound->environment->board.rule == QTR_RULE_PAPER && soonest(bound, after, tour->place[i]) < when)
+      when = soonest(bound, after, tour->place[i]);
+    worth += qtr_game_worth(bound->game, tour->place[i], when);
+  }
   return worth;
 }
 
-static double bound_by_prices(const qtr_bound *bound, const qtr_joint *after, qtr_steps now) {
+/* Visits under way, each target once though several seekers may be bound for it. */
+static double worth_under_way(const qtr_bound *bound, const qtr_situation *after) {
+  qtr_places counted = after->joint.visited;
+  double worth = 0.0;
+  for (unsigned i = 0; i < bound->game->board.seekers; i++) {
+    if (after->joint.remaining[i] == 0 || qtr_places_has(&counted, after->joint.node[i])) continue;
+    qtr_places_add(&counted, after->joint.node[i]);
+    worth += worth_of_tour(bound, after, i);
+  }
+  return worth;
+}
+
+static double bound_by_prices(const qtr_bound *bound, const qtr_situation *after) {
   double upper = 0.0;
-  for (unsigned place = 0; place < places_of(bound); place++)
-    if (is_free_place(after, place)) upper += bound->price[place];
+  for (unsigned target = 0; target < targets_of(bound); target++)
+    if (is_free(after, target)) upper += bound->price[target];
   for (unsigned i = 0; i < bound->game->board.seekers; i++)
-    if (after->node[i] != QTR_STAND_DOWN)
-      upper += collect_on(bound, after, after->node[i], now + after->remaining[i]);
+    if (after->joint.node[i] != QTR_STAND_DOWN)
+      upper += collect_on(bound, after, qtr_environment_exit(bound->environment, after, i),
+                          after->now + after->joint.remaining[i]);
   return upper;
 }
 
 /* The plain bound: every free place reached by whoever gets there soonest, all at once. */
-static double bound_all_at_once(const qtr_bound *bound, const qtr_joint *after, qtr_steps now) {
+static double bound_all_at_once(const qtr_bound *bound, const qtr_situation *after) {
   double upper = 0.0;
   for (unsigned place = 0; place < places_of(bound); place++) {
-    if (!is_free_place(after, place)) continue;
-    const qtr_steps when = soonest(bound, after, place, now);
+    if (!is_free(after, bound->environment->spots.spot_of[place])) continue;
+    const qtr_steps when = soonest(bound, after, place);
     if (when != QTR_NEVER) upper += qtr_game_worth(bound->game, place, when);
   }
   return upper;
 }
 
-double qtr_bound_state(const qtr_bound *bound, const qtr_joint *after, qtr_steps now, double unvisited) {
-  const double prices = bound_by_prices(bound, after, now);
-  const double plain = bound_all_at_once(bound, after, now);
-  const double upper = worth_under_way(bound, after, now) + (prices < plain ? prices : plain);
-  if (bound->game->mission->objective == QTR_TIME) return upper + (double)now * unvisited;
+double qtr_bound_state(const qtr_bound *bound, const qtr_situation *after) {
+  const double prices = bound_by_prices(bound, after);
+  const double plain = bound_all_at_once(bound, after);
+  const double upper = worth_under_way(bound, after) + (prices < plain ? prices : plain);
+  if (bound->game->mission->objective == QTR_TIME) return upper + (double)after->now * after->unvisited;
   /* Where gamma^t comes to its end as a double, all that is left counts as found now. */
-  const double power = qtr_game_power(bound->game, now);
-  return power > LEAST_POWER ? upper / power : QTR_REWARD_SCALE * unvisited;
+  const double power = qtr_game_power(bound->game, after->now);
+  return power > LEAST_POWER ? upper / power : QTR_REWARD_SCALE * after->unvisited;
 }

@@ -21,34 +21,38 @@ static bool is_paper(const qtr_learner *learner) {
   return learner->config.setting == QTR_SETTING_PAPER;
 }
 
+static bool is_aggregate(const qtr_learner *learner) {
+  return learner->environment != learner->ground;
+}
+
 /* ---- first difference of the settings: what Q is before it is learnt ---- */
 
-static double initial_value(const qtr_learner *learner, const qtr_state *after) {
+static double initial_value(const qtr_learner *learner, const qtr_situation *after) {
   if (is_paper(learner)) return 0.0;
-  return qtr_bound_state(&learner->bound, &after->joint, after->now, after->unvisited);
+  return qtr_bound_state(&learner->bound, after);
 }
 
 /* In the certified setting the bound may be tighter than an entry that was made at another step of the clock. */
-static double entry_value(const qtr_learner *learner, const qtr_state *after, const qtr_key *key) {
+static double entry_value(const qtr_learner *learner, const qtr_situation *after, const qtr_key *key) {
   const double initial = initial_value(learner, after);
   float stored;
   if (!qtr_qtable_get(&learner->table, key, &stored)) return initial;
   return is_paper(learner) || (double)stored < initial ? (double)stored : initial;
 }
 
-static void add_candidate(qtr_learner *learner, const qtr_state *state, int seeker, uint16_t choice) {
+static void add_candidate(qtr_learner *learner, const qtr_situation *state, int seeker, uint16_t choice) {
   qtr_candidates *c = &learner->candidates;
   const unsigned i = c->count++;
-  qtr_state after = *state;
+  qtr_situation after = *state;
   c->choice[i] = choice;
-  c->at_once[i] = qtr_game_choose(learner->game, &after, seeker, choice);
-  qtr_joint_key(&c->key[i], &after.joint, &learner->game->board);
+  c->at_once[i] = qtr_environment_choose(learner->environment, &after, seeker, choice);
+  qtr_environment_key(learner->environment, &after, &c->key[i]);
   c->q[i] = c->at_once[i] + entry_value(learner, &after, &c->key[i]);
 }
 
 /* Q of all that a seeker may choose, the places in their order, standing down last. */
-static void list_candidates(qtr_learner *learner, const qtr_state *state, int seeker) {
-  const qtr_board *board = &learner->game->board;
+static void list_candidates(qtr_learner *learner, const qtr_situation *state, int seeker) {
+  const qtr_board *board = &learner->environment->board;
   qtr_places choices;
   const bool may_stand_down = qtr_joint_choices(&state->joint, board, seeker, &choices);
   learner->candidates.count = 0;
@@ -82,10 +86,11 @@ static void note_choice(qtr_learner *learner, unsigned picked) {
 }
 
 /* Make the choice noted last, and let time pass. */
-static void act(qtr_learner *learner, qtr_state *state, int seeker, uint16_t choice) {
+static void act(qtr_learner *learner, qtr_situation *state, int seeker, uint16_t choice) {
   qtr_trace *trace = &learner->trace[learner->play.choices];
-  qtr_game_choose(learner->game, state, seeker, choice);
-  qtr_game_pass(learner->game, state, &trace->outcome);
+  qtr_environment_choose(learner->environment, state, seeker, choice);
+  trace->first = state->at[seeker];
+  qtr_environment_pass(learner->environment, state, &trace->outcome);
   qtr_play_add(&learner->play, seeker, choice);
 }
 
@@ -94,8 +99,31 @@ static double backup_of(const qtr_trace *trace, double value) {
   return trace->outcome.reward + trace->outcome.discount * value;
 }
 
+/* Targets chosen become routes of places, each place for whoever chose it first. */
+static void play_on_ground(qtr_learner *learner) {
+  qtr_routes *routes = &learner->routes;
+  qtr_places taken;
+  qtr_places_clear(&taken);
+  for (unsigned seeker = 0; seeker < learner->game->board.seekers; seeker++) routes->length[seeker] = 0;
+  for (unsigned i = 0; i < learner->play.choices; i++) {
+    if (learner->play.choice[i] == QTR_STAND_DOWN) continue;
+    const unsigned seeker = learner->play.seeker[i];
+    const qtr_tour *tour = &learner->environment->tour[learner->trace[i].first];
+    for (unsigned j = 0; j < tour->places; j++) {
+      if (qtr_places_has(&taken, tour->place[j])) continue;
+      qtr_places_add(&taken, tour->place[j]);
+      routes->place[seeker][routes->length[seeker]++] = tour->place[j];
+    }
+  }
+  qtr_play_routes(&learner->play, learner->game, routes);
+}
+
+/* What counts is what the choices earn on the ground. */
 static void keep_if_best(qtr_learner *learner) {
-  qtr_play_score(&learner->play, learner->game);
+  if (is_aggregate(learner))
+    play_on_ground(learner);
+  else
+    qtr_play_score(&learner->play, learner->game);
   if (learner->play.score.worth > learner->best.score.worth) learner->best = learner->play;
 }
 
@@ -129,21 +157,21 @@ static double within_gap(const qtr_learner *learner, double share) {
 }
 
 static bool is_certified(const qtr_learner *learner) {
-  return learner->upper <= within_gap(learner, 1.0);
+  return learner->ground_upper <= within_gap(learner, 1.0);
 }
 
 /* One game, given up as soon as it cannot beat the best one. */
 static void run_certified_episode(qtr_learner *learner) {
   /* Half of the gap: the other half takes up what rounding adds on the way back to the first state. */
   const double hopeless = within_gap(learner, 0.5);
-  qtr_state state;
+  qtr_situation state;
   double earned = 0.0;
   double discount = 1.0;
   double value = 0.0;
   int seeker;
   qtr_play_begin(&learner->play);
-  qtr_game_start(learner->game, &state);
-  while ((seeker = qtr_joint_chooser(&state.joint, &learner->game->board)) != QTR_NOBODY) {
+  qtr_environment_start(learner->environment, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     list_candidates(learner, &state, seeker);
     const unsigned picked = greedy(&learner->candidates);
     const qtr_trace *trace = &learner->trace[learner->play.choices];
@@ -159,6 +187,7 @@ static void run_certified_episode(qtr_learner *learner) {
   }
   const double upper = back_up_all(learner, value);
   if (upper < learner->upper) learner->upper = upper;
+  if (!is_aggregate(learner)) learner->ground_upper = learner->upper;
   if (seeker == QTR_NOBODY) keep_if_best(learner);
 }
 
@@ -175,11 +204,11 @@ static void back_up_last(qtr_learner *learner, double value) {
 }
 
 static void run_exploring_episode(qtr_learner *learner) {
-  qtr_state state;
+  qtr_situation state;
   int seeker;
   qtr_play_begin(&learner->play);
-  qtr_game_start(learner->game, &state);
-  while ((seeker = qtr_joint_chooser(&state.joint, &learner->game->board)) != QTR_NOBODY) {
+  qtr_environment_start(learner->environment, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     list_candidates(learner, &state, seeker);
     const double largest = learner->candidates.q[greedy(&learner->candidates)];
     if (learner->play.choices == 0) learner->max_q = largest;
@@ -194,11 +223,11 @@ static void run_exploring_episode(qtr_learner *learner) {
 
 /* What has been learnt so far, played without learning. */
 static void play_greedily(qtr_learner *learner) {
-  qtr_state state;
+  qtr_situation state;
   int seeker;
   qtr_play_begin(&learner->play);
-  qtr_game_start(learner->game, &state);
-  while ((seeker = qtr_joint_chooser(&state.joint, &learner->game->board)) != QTR_NOBODY) {
+  qtr_environment_start(learner->environment, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     list_candidates(learner, &state, seeker);
     act(learner, &state, seeker, learner->candidates.choice[greedy(&learner->candidates)]);
   }
@@ -207,13 +236,14 @@ static void play_greedily(qtr_learner *learner) {
 
 /* ---- local search on the best game ---- */
 
-/* Under the paper's rule routes alone do not make a game: who must choose when depends on the others. */
+/* Not on an aggregate, whose own best policy is sought; nor under the paper's rule, where routes alone do not make a game:
+ * who must choose when depends on the others. */
 static void refine_best(qtr_learner *learner, unsigned rounds) {
-  if (learner->game->board.rule != QTR_RULE_FREE) return;
+  if (is_aggregate(learner) || learner->game->board.rule != QTR_RULE_FREE) return;
   qtr_play_to_routes(&learner->best, learner->game, &learner->routes);
   qtr_refine(&learner->refinery, &learner->routes, learner->game, rounds, learner->config.seed + learner->episodes);
   qtr_play_routes(&learner->play, learner->game, &learner->routes);
-  keep_if_best(learner);
+  if (learner->play.score.worth > learner->best.score.worth) learner->best = learner->play;
 }
 
 /* ---- set-up and steps ---- */
@@ -221,40 +251,95 @@ static void refine_best(qtr_learner *learner, unsigned rounds) {
 static int check_config(qtr_learner *learner, const qtr_learner_config *config) {
   if (!(config->gap >= 0.0 && config->gap < HUGE_VAL) || config->setting > QTR_SETTING_PAPER) return QTR_ERR_ARGUMENT;
   if (!(config->alpha > 0.0 && config->alpha <= 1.0)) return QTR_ERR_ARGUMENT;
+  if (config->setting == QTR_SETTING_CERTIFIED && learner->environment->regions != NULL) return QTR_ERR_ARGUMENT;
+  if (is_aggregate(learner) && learner->game->board.rule != QTR_RULE_FREE) return QTR_ERR_ARGUMENT;
   return qtr_explorer_init(&learner->explorer, &config->exploration, config->seed);
 }
 
-/* The paper setting is left to learn alone: no local search, and its first game counts for nothing once it has played. */
+/* As on the ground: always the most likely target for the time that it takes. */
+static void play_aggregate_by_rate(qtr_learner *learner) {
+  const qtr_environment *environment = learner->environment;
+  qtr_situation state;
+  int seeker;
+  qtr_play_begin(&learner->play);
+  qtr_environment_start(environment, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &environment->board)) != QTR_NOBODY) {
+    qtr_places choices;
+    uint16_t choice = QTR_STAND_DOWN;
+    double best = -1.0;
+    qtr_joint_choices(&state.joint, &environment->board, seeker, &choices);
+    for (uint16_t target = 0; target < environment->targets; target++) {
+      if (!qtr_places_has(&choices, target)) continue;
+      const double rate = qtr_environment_rate(environment, state.at[seeker], target);
+      if (rate <= best) continue;
+      best = rate;
+      choice = target;
+    }
+    act(learner, &state, seeker, choice);
+  }
+  play_on_ground(learner);
+  learner->best = learner->play;
+}
+
+/* A first game to tune the ground's prices by. The paper setting and aggregates learn alone: it counts for nothing once
+ * they have played. */
 static void play_first(qtr_learner *learner) {
   qtr_play_by_rate(&learner->best, learner->game);
-  if (is_paper(learner)) return;
+  if (is_aggregate(learner)) play_aggregate_by_rate(learner);
+  if (is_paper(learner) || is_aggregate(learner)) return;
   learner->episodes = 1;
   refine_best(learner, FIRST_ROUNDS);
 }
 
-int qtr_learner_init_built(qtr_learner *learner, const qtr_game *game, const qtr_learner_config *config,
-                           uint32_t config_id) {
+int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, const qtr_environment *aggregate,
+                           const qtr_learner_config *config, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  learner->game = ground->game;
+  learner->ground = ground;
+  learner->environment = aggregate != NULL ? aggregate : ground;
   const int status = check_config(learner, config);
   if (status != QTR_OK) return status;
-  learner->game = game;
   learner->config = *config;
   learner->episodes = 0;
   learner->updates = 0;
   learner->max_q = 0.0;
   learner->pricing = true;
+  learner->aggregate_priced = !is_aggregate(learner) || is_paper(learner);
   play_first(learner);
-  qtr_qtable_init(&learner->table, &game->board);
-  qtr_bound_init(&learner->bound, game, learner->best.visit);
+  qtr_qtable_init(&learner->table, &learner->environment->key_board);
+  qtr_bound_init(&learner->bound, ground, learner->best.visit);
   learner->upper = learner->bound.upper;
+  learner->ground_upper = learner->upper;
   return QTR_OK;
+}
+
+/* From the ground's prices to the aggregate's: those bound its policies, and no others. */
+static void price_aggregate(qtr_learner *learner) {
+  learner->aggregate_priced = true;
+  learner->pricing = true;
+  qtr_bound_init(&learner->bound, learner->environment, learner->best.visit);
+  learner->upper = learner->bound.upper;
+}
+
+static void note_upper(qtr_learner *learner) {
+  const double upper = learner->bound.upper;
+  const bool of_ground = learner->bound.environment == learner->ground;
+  if (of_ground && upper < learner->ground_upper) learner->ground_upper = upper;
+  if ((!of_ground || !is_aggregate(learner)) && upper < learner->upper) learner->upper = upper;
 }
 
 static void tune_prices(qtr_learner *learner) {
   for (int i = 0; i < PRICE_STEPS && learner->pricing; i++)
     learner->pricing = qtr_bound_improve(&learner->bound, learner->best.score.worth);
-  if (learner->bound.upper < learner->upper) learner->upper = learner->bound.upper;
-  if (!learner->pricing) qtr_bound_settle(&learner->bound);
+  note_upper(learner);
+  if (learner->pricing) return;
+  qtr_bound_settle(&learner->bound);
+  if (!learner->aggregate_priced) price_aggregate(learner);
+}
+
+static enum qtr_learning verdict(const qtr_learner *learner) {
+  if (learner->pricing || learner->upper > within_gap(learner, 1.0)) return QTR_LEARNING;
+  return is_certified(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
 }
 
 static enum qtr_learning step_certified(qtr_learner *learner) {
@@ -264,9 +349,9 @@ static enum qtr_learning step_certified(qtr_learner *learner) {
   learner->episodes++;
   run_certified_episode(learner);
   if (learner->best.score.worth > best) refine_best(learner, LATER_ROUNDS);
-  if (is_certified(learner)) return QTR_CERTIFIED;
+  if (!is_aggregate(learner)) learner->ground_upper = learner->upper;
   const bool learnt = learner->updates > updates || learner->best.score.worth > best || learner->upper < upper;
-  return learnt ? QTR_LEARNING : QTR_CONVERGED;
+  return learnt || is_certified(learner) ? verdict(learner) : QTR_CONVERGED;
 }
 
 static enum qtr_learning step_paper(qtr_learner *learner) {
@@ -278,24 +363,26 @@ static enum qtr_learning step_paper(qtr_learner *learner) {
 }
 
 enum qtr_learning qtr_learner_step(qtr_learner *learner) {
+  const bool alone = is_paper(learner) || is_aggregate(learner);
   if (learner->pricing) {
-    if (is_certified(learner) && !is_paper(learner)) return QTR_CERTIFIED;
+    if (!alone && is_certified(learner)) return QTR_CERTIFIED;
     tune_prices(learner);
-    return is_certified(learner) && !is_paper(learner) ? QTR_CERTIFIED : QTR_LEARNING;
+    return !alone && is_certified(learner) ? QTR_CERTIFIED : QTR_LEARNING;
   }
   if (is_paper(learner)) return step_paper(learner);
-  return is_certified(learner) ? QTR_CERTIFIED : step_certified(learner);
+  return verdict(learner) != QTR_LEARNING ? verdict(learner) : step_certified(learner);
 }
 
 void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certificate) {
   const qtr_score *score = &learner->best.score;
-  const double upper = learner->upper > score->worth ? learner->upper : score->worth;
+  const double worth = learner->game->mission->objective == QTR_TIME ? -score->expected_time : score->value;
+  const double upper = learner->ground_upper > worth ? learner->ground_upper : worth;
   const bool time = learner->game->mission->objective == QTR_TIME;
   certificate->value = score->value;
   certificate->expected_time = score->expected_time;
   certificate->objective = time ? score->expected_time : score->value;
   certificate->bound = time ? -upper : upper;
-  certificate->gap = upper > score->worth ? (upper - score->worth) / fabs(score->worth) : 0.0;
+  certificate->gap = upper > worth ? (upper - worth) / fabs(worth) : 0.0;
   certificate->certified = is_certified(learner);
   certificate->episodes = learner->episodes;
   certificate->updates = learner->updates;

@@ -87,7 +87,7 @@ static int find_longest(qtr_board *board) {
   return board->longest > (QTR_NEVER - 1) / (board->places + 1u) ? QTR_ERR_LIMIT : QTR_OK;
 }
 
-static void measure_keys(qtr_board *board) {
+void qtr_board_measure_keys(qtr_board *board) {
   qtr_key key;
   qtr_places all;
   unsigned words = 0;
@@ -114,7 +114,7 @@ static int check_numbers(const qtr_board *board) {
 int qtr_board_init(qtr_board *board) {
   int status = check_numbers(board);
   if (status == QTR_OK) status = find_longest(board);
-  if (status == QTR_OK) measure_keys(board);
+  if (status == QTR_OK) qtr_board_measure_keys(board);
   return status;
 }
 

@@ -16,6 +16,7 @@
 static qtr_mission mission;
 static qtr_game game;
 static qtr_field field;
+static qtr_environment ground;
 static qtr_learner learner;
 static input reference;
 
@@ -33,7 +34,8 @@ static run learn(const qtr_mission *learnt, double limit) {
   run r;
   qtr_learner_config_default(&config);
   qtr_game_init(&game, learnt, &field, NULL);
-  qtr_learner_init(&learner, &game, &config);
+  qtr_environment_init(&ground, &game, NULL, &field);
+  qtr_learner_init(&learner, &ground, NULL, &config);
   while (qtr_learner_step(&learner) == QTR_LEARNING && clock_seconds() - begin < limit) {}
   qtr_learner_certificate(&learner, &r.certificate);
   r.seconds = clock_seconds() - begin;

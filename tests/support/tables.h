@@ -8,8 +8,8 @@
 #include "quarter/status.h"
 #include "robot/bytes.h"
 #include "robot/crc.h"
-#include "support/missions.h"
-#include "support/random.h"
+#include "missions.h"
+#include "random.h"
 #include "unity.h"
 
 enum { TABLE_MOST = 64 * 1024 };
@@ -17,6 +17,7 @@ enum { TABLE_MOST = 64 * 1024 };
 static qtr_mission table_mission;
 static qtr_field table_field;
 static qtr_game table_game;
+static qtr_environment table_ground;
 static qtr_learner table_learner;
 static uint8_t table_bytes[TABLE_MOST];
 static uint32_t table_size;
@@ -27,7 +28,8 @@ static inline void table_learn(unsigned steps) {
   qtr_learner_config_default(&config);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&table_mission, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&table_game, &table_mission, &table_field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&table_learner, &table_game, &config), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&table_ground, &table_game, NULL, &table_field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&table_learner, &table_ground, NULL, &config), case_note);
   while (steps > 0 && qtr_learner_step(&table_learner) == QTR_LEARNING) steps--;
 }
 

@@ -1,0 +1,67 @@
+/* Distances between cells that lie near one another, by searches that go no further than they must.
+ *
+ * How far apart two cells are is the travel time between them on the map, by the shortest way there is. With terrain the
+ * two directions differ, and the longer one counts.
+ */
+#ifndef QUARTER_NEARBY_H
+#define QUARTER_NEARBY_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "quarter/config.h"
+#include "quarter/grid.h"
+
+/* The most cells looked at together: a region and all that border on it. */
+#define QTR_NEARBY_MOST (3 * QTR_MAX_REGION_SIZE + 2)
+
+#define QTR_NEARBY_RING 256 /* one more than the greatest cost of a cell */
+
+enum { QTR_WAY_NORTH = 1, QTR_WAY_EAST = 2, QTR_WAY_SOUTH = 4, QTR_WAY_WEST = 8 };
+
+/* Large: keep it in static storage. */
+typedef struct {
+  const qtr_grid *grid;
+  uint64_t work;                 /* cells that all searches came to since the start: what they cost */
+  qtr_steps time[QTR_MAX_CELLS]; /* of the search under way: from the cell to its start; QTR_NEVER between searches */
+  qtr_cell link[QTR_MAX_CELLS];  /* cells waiting in the same ring entry */
+  qtr_cell ring[QTR_NEARBY_RING];
+  qtr_cell reached[QTR_MAX_CELLS]; /* by the search under way */
+  uint8_t ways[QTR_MAX_CELLS];     /* bits QTR_WAY_...: which neighbours are free */
+  uint16_t slot[QTR_MAX_CELLS];    /* 1 + the cell's index in the list; 0: not listed */
+  uint32_t listed;
+  qtr_cell list[QTR_NEARBY_MOST];  /* the cells that a search is about */
+  qtr_steps away[QTR_NEARBY_MOST]; /* their distances from the last search's start; QTR_NEVER: beyond its limit */
+} qtr_nearby;
+
+/* The grid must outlive the structure. The list is empty. */
+void qtr_nearby_init(qtr_nearby *nearby, const qtr_grid *grid);
+
+/* List a cell that is not listed yet, up to QTR_NEARBY_MOST of them; nothing happens to one that is. */
+static inline void qtr_nearby_list(qtr_nearby *nearby, qtr_cell cell) {
+  if (nearby->slot[cell] != 0) return;
+  nearby->list[nearby->listed++] = cell;
+  nearby->slot[cell] = (uint16_t)nearby->listed;
+}
+
+/* Take a cell off the list, by its index; the last one takes its place. */
+void qtr_nearby_unlist(qtr_nearby *nearby, uint32_t index);
+
+void qtr_nearby_clear(qtr_nearby *nearby);
+
+/* The distance of each listed cell from `from`. True if none is beyond `limit`, 0..65535. */
+bool qtr_nearby_measure(qtr_nearby *nearby, qtr_cell from, qtr_steps limit);
+
+/* The free cells next to a free cell: their number, in the order N, E, S, W. */
+static inline int qtr_nearby_neighbours(const qtr_nearby *nearby, qtr_cell cell, qtr_cell next[4]) {
+  const unsigned ways = nearby->ways[cell];
+  const uint32_t columns = nearby->grid->columns;
+  int count = 0;
+  if (ways & QTR_WAY_NORTH) next[count++] = (qtr_cell)(cell - columns);
+  if (ways & QTR_WAY_EAST) next[count++] = (qtr_cell)(cell + 1u);
+  if (ways & QTR_WAY_SOUTH) next[count++] = (qtr_cell)(cell + columns);
+  if (ways & QTR_WAY_WEST) next[count++] = (qtr_cell)(cell - 1u);
+  return count;
+}
+
+#endif

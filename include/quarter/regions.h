@@ -1,0 +1,67 @@
+/* Topological aggregation (paper, section 5.2.2): the free cells of a grid divided into regions, each of which is one
+ * position to the learner.
+ *
+ * A region is connected, has at most max_size cells, and no two of its cells are further apart than `diameter`, as
+ * quarter/nearby.h measures it: by the shortest way on the map, which may leave the region, and in the direction that
+ * takes longer. Every free cell is in exactly one region.
+ *
+ * A region's representative is its geometric median: the member with the least sum of distances to the members, the
+ * lowest such cell. A travel time taken from the representative is wrong by no more than the cell's distance from it.
+ */
+#ifndef QUARTER_REGIONS_H
+#define QUARTER_REGIONS_H
+
+#include <stdint.h>
+
+#include "quarter/config.h"
+#include "quarter/grid.h"
+#include "quarter/nearby.h"
+#include "quarter/status.h"
+
+typedef struct {
+  uint32_t max_size; /* cells of a region, 1..QTR_MAX_REGION_SIZE; with 1 every free cell is a region */
+  uint32_t diameter; /* steps between two of its cells, 1..QTR_MAX_REGION_DIAMETER */
+} qtr_regions_config;
+
+/* Large: keep it in static storage. Regions are numbered by their lowest cells. */
+typedef struct {
+  uint32_t count;
+  qtr_region of[QTR_MAX_CELLS];             /* QTR_NO_REGION on blocked cells */
+  qtr_cell representative[QTR_MAX_REGIONS]; /* by region */
+  uint16_t size[QTR_MAX_REGIONS];           /* cells, by region */
+} qtr_regions;
+
+/* Caller's memory for the division. Large: keep it in static storage. */
+typedef struct {
+  qtr_nearby nearby;                 /* nearby.work: what the division cost */
+  qtr_cell waiting[QTR_MAX_CELLS];   /* free cells beside the regions grown so far */
+  uint16_t error[QTR_MAX_CELLS];     /* distance from the representative, afterwards too */
+  uint8_t changed[QTR_MAX_REGIONS];  /* since its representative was found */
+  uint32_t sum[QTR_NEARBY_MOST];     /* of the listed cells: distances from a region's members */
+  uint8_t touching[QTR_NEARBY_MOST]; /* of the listed cells: neighbours in a growing region */
+  uint32_t chosen_count;
+  qtr_cell chosen[QTR_NEARBY_MOST];       /* cells that may change their region */
+  qtr_steps chosen_away[QTR_NEARBY_MOST]; /* and their distances from the representative there */
+} qtr_regions_scratch;
+
+/* The limits of the paper's example (Fig. 5.3): 25 cells, 15 steps. */
+void qtr_regions_default(qtr_regions_config *config);
+
+/* Divide the free cells of a grid. Regions are grown greedily; then borders are straightened, and the cells of leftovers
+ * given to their neighbours. Work and time are linear in the cells. The same input gives the same regions.
+ * QTR_ERR_ARGUMENT: a limit or a side of the grid is 0; QTR_ERR_LIMIT: one is beyond what the build holds, or more than
+ * QTR_MAX_REGIONS regions were grown. The regions are then of no use. */
+int qtr_regions_build(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
+                      qtr_regions_scratch *scratch);
+
+/* The region of a cell of the grid; QTR_NO_REGION if it is blocked. */
+static inline qtr_region qtr_regions_of(const qtr_regions *regions, qtr_cell cell) {
+  return regions->of[cell];
+}
+
+/* The cell that stands for a free cell: where its travel times are taken from (section 5.2.3). */
+static inline qtr_cell qtr_regions_standing(const qtr_regions *regions, qtr_cell cell) {
+  return regions->representative[regions->of[cell]];
+}
+
+#endif

@@ -1,0 +1,109 @@
+#include "quarter/nearby.h"
+
+static bool is_free(const qtr_grid *grid, uint32_t cell) {
+  return cell < (uint32_t)grid->columns * grid->rows && qtr_grid_cost(grid, (qtr_cell)cell) > 0;
+}
+
+/* Looked up once, because searches ask for it all the time. */
+static uint8_t find_ways(const qtr_grid *grid, uint32_t cell) {
+  const uint32_t columns = grid->columns;
+  const uint32_t column = cell % columns;
+  unsigned ways = 0;
+  if (cell >= columns && is_free(grid, cell - columns)) ways |= QTR_WAY_NORTH;
+  if (column + 1 < columns && is_free(grid, cell + 1)) ways |= QTR_WAY_EAST;
+  if (is_free(grid, cell + columns)) ways |= QTR_WAY_SOUTH;
+  if (column > 0 && is_free(grid, cell - 1)) ways |= QTR_WAY_WEST;
+  return (uint8_t)ways;
+}
+
+void qtr_nearby_init(qtr_nearby *nearby, const qtr_grid *grid) {
+  const uint32_t cells = (uint32_t)grid->columns * grid->rows;
+  nearby->grid = grid;
+  nearby->work = 0;
+  nearby->listed = 0;
+  for (uint32_t cell = 0; cell < cells; cell++) {
+    nearby->time[cell] = QTR_NEVER;
+    nearby->ways[cell] = find_ways(grid, cell);
+    nearby->slot[cell] = 0;
+  }
+  for (int i = 0; i < QTR_NEARBY_RING; i++) nearby->ring[i] = QTR_NO_CELL;
+}
+
+void qtr_nearby_unlist(qtr_nearby *nearby, uint32_t index) {
+  const uint32_t last = --nearby->listed;
+  nearby->slot[nearby->list[index]] = 0;
+  if (index == last) return;
+  nearby->list[index] = nearby->list[last];
+  nearby->away[index] = nearby->away[last];
+  nearby->slot[nearby->list[index]] = (uint16_t)(index + 1);
+}
+
+void qtr_nearby_clear(qtr_nearby *nearby) {
+  for (uint32_t i = 0; i < nearby->listed; i++) nearby->slot[nearby->list[i]] = 0;
+  nearby->listed = 0;
+}
+
+/* ---- the search of quarter/travel.h, which ends when all listed cells are found or the rest are too far ---- */
+
+static unsigned ring_entry(const qtr_nearby *nearby, qtr_cell cell) {
+  return (unsigned)((nearby->time[cell] + qtr_grid_cost(nearby->grid, cell)) % QTR_NEARBY_RING);
+}
+
+/* Whether the cell is a listed one. A shortest way back enters the same cells but for the one at its end, so the times
+ * there and back differ by what the two ends cost. */
+static bool reach(qtr_nearby *nearby, qtr_cell cell, qtr_steps time, qtr_cell from, uint32_t nth) {
+  nearby->time[cell] = time;
+  const unsigned entry = ring_entry(nearby, cell);
+  nearby->link[cell] = nearby->ring[entry];
+  nearby->ring[entry] = cell;
+  nearby->reached[nth] = cell;
+  if (nearby->slot[cell] == 0) return false;
+  const unsigned cost = qtr_grid_cost(nearby->grid, cell);
+  const unsigned cost_from = qtr_grid_cost(nearby->grid, from);
+  nearby->away[nearby->slot[cell] - 1] = time + (cost > cost_from ? cost - cost_from : 0);
+  return true;
+}
+
+/* Reach what lies next to the cells that come up `now`; `reached` counts all so far. The number of listed ones. */
+static uint32_t pass(qtr_nearby *nearby, qtr_steps now, qtr_cell from, uint32_t *reached) {
+  qtr_cell cell = nearby->ring[now % QTR_NEARBY_RING];
+  uint32_t found = 0;
+  qtr_cell next[4];
+  nearby->ring[now % QTR_NEARBY_RING] = QTR_NO_CELL;
+  while (cell != QTR_NO_CELL) {
+    const qtr_cell after = nearby->link[cell];
+    const int count = qtr_nearby_neighbours(nearby, cell, next);
+    for (int i = 0; i < count; i++)
+      if (nearby->time[next[i]] == QTR_NEVER && reach(nearby, next[i], now, from, (*reached)++)) found++;
+    cell = after;
+  }
+  return found;
+}
+
+/* Undo what the search wrote, which costs no more than the search did. */
+static void forget(qtr_nearby *nearby, uint32_t reached) {
+  for (uint32_t i = 0; i < reached; i++) {
+    nearby->ring[ring_entry(nearby, nearby->reached[i])] = QTR_NO_CELL;
+    nearby->time[nearby->reached[i]] = QTR_NEVER;
+  }
+  nearby->work += reached;
+}
+
+bool qtr_nearby_measure(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
+  const qtr_cell *ring = nearby->ring;
+  uint32_t reached = 1;
+  unsigned empty = 0;
+  for (uint32_t i = 0; i < nearby->listed; i++) nearby->away[i] = QTR_NEVER;
+  uint32_t found = reach(nearby, from, 0, from, 0) ? 1 : 0;
+  for (qtr_steps now = 0; now <= limit && found < nearby->listed && empty < QTR_NEARBY_RING; now++) {
+    empty = ring[now % QTR_NEARBY_RING] == QTR_NO_CELL ? empty + 1 : 0;
+    found += pass(nearby, now, from, &reached);
+  }
+  forget(nearby, reached);
+  bool near = true;
+  for (uint32_t i = 0; i < nearby->listed; i++) {
+    if (nearby->away[i] > limit) nearby->away[i] = QTR_NEVER;
+    near = near && nearby->away[i] != QTR_NEVER;
+  }
+  return near;
+}

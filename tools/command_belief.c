@@ -1,0 +1,296 @@
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "commands.h"
+#include "history.h"
+#include "json.h"
+#include "options.h"
+#include "outfile.h"
+#include "quarter/status.h"
+#include "reader/file.h"
+
+static const char help[] =
+    "quarter belief mission.yaml --history games.csv -o places.csv      the places' weights, learnt from past games\n"
+    "quarter belief mission.yaml --history new.csv --belief b.qtb       the same, kept from one time to the next\n"
+    "quarter belief mission.yaml --belief b.qtb                         what a saved belief estimates\n"
+    "\n"
+    "games.csv has a header and a row for each place where a target was found: 'place' (its number, as this command\n"
+    "lists them), 'column,row' or 'x,y'. A column 'found' with 0 tells of a place that was searched in vain, a column\n"
+    "'game' which rows are one game; without it every row is one.\n"
+    "\n"
+    "      --history FILE       the games to learn from\n"
+    "      --belief FILE        go on from the belief saved there, if there is one, and save the new one. Games of "
+    "the\n"
+    "                           history are added to those that it holds: give each game once\n"
+    "      --prior FINDS        how many finds the mission's own weights count for (default: half as many as places).\n"
+    "                           Few: the first games decide; many: the weights hold for long\n"
+    "      --keep SHARE         what a find still counts for after one more game (default 1: nothing is forgotten)\n"
+    "      --detection P        how often a search sees a target that is there (default 1); for rows with found 0\n"
+    "  -o, --output FILE        write the places as CSV, for a mission's places_csv; '-' is standard output\n"
+    "      --json[=FILE]        print the estimate as JSON, or write it to FILE\n"
+    "      --cell-size M        as in 'quarter learn'\n"
+    "  -q, --quiet              say nothing\n"
+    "\n"
+    "Exit status: 0 done; 2 bad input, nothing written.\n";
+
+static const option_set set = {"belief", " history belief prior keep detection output json cell-size quiet "};
+
+/* All that is read and worked out. */
+typedef struct {
+  const options *o;
+  input in;
+  qtr_belief belief;
+  history_tally tally;
+  double strength;               /* of the prior, in finds */
+  bool resumed;                  /* from a saved belief */
+  double before[QTR_MAX_PLACES]; /* the estimate before the history */
+  double after[QTR_MAX_PLACES];
+} study;
+
+static study studied;
+
+/* ---- the belief, new or saved ---- */
+
+/* A mark of the mission's places, so that a belief is not taken for another mission's (FNV-1a). */
+static uint32_t mark_of(const qtr_mission *mission) {
+  uint32_t mark = 2166136261u;
+  const uint32_t head[3] = {mission->columns, mission->rows, mission->places};
+  for (unsigned i = 0; i < 3u + mission->places; i++) {
+    const uint32_t word = i < 3 ? head[i] : (uint32_t)mission->place[i - 3];
+    for (unsigned byte = 0; byte < 4; byte++) mark = (mark ^ (word >> 8 * byte & 0xFFu)) * 16777619u;
+  }
+  return mark;
+}
+
+static int begin(study *s, fault *why) {
+  const qtr_mission *mission = &s->in.mission;
+  const double strength = s->o->prior > 0.0 ? s->o->prior : 0.5 * mission->places;
+  const double keep = s->o->keep > 0.0 ? s->o->keep : 1.0;
+  s->strength = strength;
+  const int status = qtr_belief_init(&s->belief, mission->places, mission->weight, strength, keep);
+  s->belief.about = mark_of(mission);
+  if (status == QTR_OK) return 0;
+  return fault_set(why, "%s: its weights cannot be a prior: %s; bring them closer together", s->o->input,
+                   qtr_strerror(status));
+}
+
+static const char *fault_of(int status) {
+  switch (status) {
+  case QTR_ERR_TRUNCATED: return "is cut short; copy it again, or begin anew under another name";
+  case QTR_ERR_MAGIC: return "is not a saved belief; name another file";
+  case QTR_ERR_FORMAT: return "is a saved belief of another format version; use the Quarter that wrote it";
+  case QTR_ERR_CHECKSUM: return "is damaged: its checksum does not match; copy it again, or begin anew";
+  case QTR_ERR_LIMIT: return "has more places than this build holds; build with a larger QTR_MAX_PLACES";
+  default: return "is not sound: a number in it is out of its range; begin anew under another name";
+  }
+}
+
+static int load(study *s, fault *why) {
+  const char *path = s->o->belief;
+  file_bytes bytes;
+  if (file_read(&bytes, path, FILE_TEXT_LIMIT, NULL, why) != 0) return -1;
+  const int status = qtr_belief_load(&s->belief, bytes.data, (uint32_t)bytes.size);
+  file_free(&bytes);
+  if (status != QTR_OK) return file_fault(why, path, 0, 0, "%s", fault_of(status));
+  if (s->belief.about != mark_of(&s->in.mission) || s->belief.places != s->in.mission.places)
+    return file_fault(why, path, 0, 0,
+                      "is the belief about another mission's places (it has %d, %s %d); name the mission that it was "
+                      "saved with, or another file",
+                      s->belief.places, file_short_path(s->o->input), s->in.mission.places);
+  if (s->o->prior > 0.0)
+    return file_fault(why, path, 0, 0, "has its prior already; leave --prior out, or begin anew under another name");
+  if (s->o->keep > 0.0) s->belief.keep = s->o->keep;
+  for (unsigned p = 0; p < s->belief.places; p++) s->strength += s->belief.prior[p];
+  s->resumed = true;
+  return 0;
+}
+
+/* The belief to go on from: the saved one, if there is any. */
+static int take_up(study *s, fault *why) {
+  const options *o = s->o;
+  struct stat about;
+  if (o->belief != NULL && stat(o->belief, &about) == 0) return load(s, why);
+  if (o->history != NULL) return begin(s, why);
+  if (o->belief == NULL) return fault_set(why, "quarter belief: name the games to learn from with --history FILE");
+  return file_fault(why, o->belief, 0, 0, "no such belief yet; name the games to begin it with by --history FILE");
+}
+
+static int learn(study *s, fault *why) {
+  const input_options reading = {s->o->cell_size, 0};
+  if (input_read(&s->in, s->o->input, &reading, why) != 0 || take_up(s, why) != 0) return -1;
+  qtr_belief_estimate(&s->belief, s->before);
+  if (s->o->history != NULL && history_read(&s->tally, &s->belief, &s->in, s->o->history, s->o->detection, why) != 0)
+    return -1;
+  qtr_belief_estimate(&s->belief, s->after);
+  return 0;
+}
+
+/* ---- writing ---- */
+
+static unsigned column_of(const study *s, unsigned place) {
+  return (unsigned)(s->in.mission.place[place] % s->in.mission.columns);
+}
+
+static unsigned row_of(const study *s, unsigned place) {
+  return (unsigned)(s->in.mission.place[place] / s->in.mission.columns);
+}
+
+static void write_csv(FILE *out, const study *s) {
+  fputs(s->in.frame.metric ? "x,y,weight\n" : "column,row,weight\n", out);
+  for (unsigned place = 0; place < s->belief.places; place++) {
+    if (s->in.frame.metric) {
+      double x, y;
+      input_cell_centre(&s->in, s->in.mission.place[place], &x, &y);
+      fprintf(out, "%.12g,%.12g,", x, y);
+    } else {
+      fprintf(out, "%u,%u,", column_of(s, place), row_of(s, place));
+    }
+    fprintf(out, "%.12g\n", s->after[place]);
+  }
+}
+
+static void write_place(json *j, const study *s, unsigned place) {
+  json_flat_object(j, NULL);
+  json_integer(j, "column", column_of(s, place));
+  json_integer(j, "row", row_of(s, place));
+  if (s->in.frame.metric) {
+    double x, y;
+    input_cell_centre(&s->in, s->in.mission.place[place], &x, &y);
+    json_number(j, "x", x);
+    json_number(j, "y", y);
+  }
+  json_natural(j, "found", s->tally.found[place]);
+  json_number(j, "before", s->before[place]);
+  json_number(j, "estimate", s->after[place]);
+  json_end_object(j);
+}
+
+static void write_json(FILE *out, const study *s) {
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "command", "belief");
+  json_string(&j, "input", s->o->input);
+  if (s->o->history != NULL) json_string(&j, "history", s->o->history);
+  if (s->o->belief != NULL) json_string(&j, "belief", s->o->belief);
+  json_integer(&j, "places", s->belief.places);
+  json_natural(&j, "games", s->tally.games);
+  json_natural(&j, "finds", s->tally.finds);
+  json_natural(&j, "games_without_find", s->tally.without);
+  json_natural(&j, "games_in_all", s->belief.games);
+  json_bool(&j, "resumed", s->resumed);
+  json_number(&j, "prior", s->strength);
+  json_number(&j, "keep", s->belief.keep);
+  json_number(&j, "detection", s->o->detection);
+  json_array(&j, "place");
+  for (unsigned place = 0; place < s->belief.places; place++) write_place(&j, s, place);
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+static const char *plural(uint32_t count) {
+  return count == 1 ? "" : "s";
+}
+
+static void write_place_line(FILE *out, const study *s, unsigned place) {
+  fprintf(out, "  place %u (column %u, row %u): ", place, column_of(s, place), row_of(s, place));
+  if (s->o->history != NULL)
+    fprintf(out, "%.4g -> %.4g, found %" PRIu32 " time%s\n", s->before[place], s->after[place], s->tally.found[place],
+            plural(s->tally.found[place]));
+  else
+    fprintf(out, "%.4g\n", s->after[place]);
+}
+
+static void write_text(FILE *out, const study *s) {
+  const history_tally *tally = &s->tally;
+  fprintf(out, "%s: %d place%s, whose prior counts for %.6g finds\n", s->o->input, s->belief.places,
+          plural(s->belief.places), s->strength);
+  if (s->o->history != NULL)
+    fprintf(out, "%s: %" PRIu32 " game%s with %" PRIu32 " find%s, %" PRIu32 " without any\n", s->o->history,
+            tally->games, plural(tally->games), tally->finds, plural(tally->finds), tally->without);
+  if (s->o->belief != NULL)
+    fprintf(out, "%s: %" PRIu32 " game%s in all\n", s->o->belief, s->belief.games, plural(s->belief.games));
+  for (unsigned place = 0; place < s->belief.places; place++) write_place_line(out, s, place);
+  if (s->o->output != NULL) fprintf(out, "wrote %s\n", s->o->output);
+}
+
+static void write_belief(FILE *out, const study *s) {
+  static uint8_t bytes[QTR_BELIEF_BYTES(QTR_MAX_PLACES)];
+  const int size = qtr_belief_save(&s->belief, bytes, sizeof bytes);
+  fwrite(bytes, 1, (size_t)size, out);
+}
+
+/* ---- all that is to be written, together ---- */
+
+typedef struct {
+  const char *path; /* NULL: not wanted */
+  void (*write)(FILE *out, const study *s);
+  outfile out;
+} product;
+
+enum { CSV, JSON, TEXT, BELIEF, PRODUCTS }; /* the belief last: once it is saved, its games must not be given again */
+
+static void plan(product *products, const options *o) {
+  const char *json_path = o->json_path != NULL ? o->json_path : "-";
+  const bool taken = o->output != NULL && strcmp(o->output, "-") == 0;
+  const bool prints_json = o->json && strcmp(json_path, "-") == 0;
+  products[CSV] = (product){.path = o->output, .write = write_csv};
+  products[JSON] = (product){.path = o->json ? json_path : NULL, .write = write_json};
+  products[TEXT] = (product){.path = o->quiet || taken || prints_json ? NULL : "-", .write = write_text};
+  products[BELIEF] = (product){.path = o->history != NULL ? o->belief : NULL, .write = write_belief};
+}
+
+/* Everything is begun before anything is written: what cannot be written stops all of it. */
+static int write_all(const study *s, fault *why) {
+  product products[PRODUCTS];
+  int begun = 0, status = 0;
+  plan(products, s->o);
+  for (; begun < PRODUCTS && status == 0; begun++)
+    if (products[begun].path != NULL) status = outfile_open(&products[begun].out, products[begun].path, why);
+  if (status != 0) begun--;
+  for (int i = 0; i < begun; i++) {
+    if (products[i].path == NULL) continue;
+    if (status != 0) {
+      outfile_abort(&products[i].out);
+      continue;
+    }
+    products[i].write(products[i].out.file, s);
+    status = outfile_commit(&products[i].out, why);
+  }
+  return status;
+}
+
+/* ---- the command ---- */
+
+static bool is_same(const char *a, const char *b) {
+  return a != NULL && b != NULL && strcmp(a, b) == 0;
+}
+
+/* That nothing is written over what is read, or over one another. */
+static int check_names(const options *o, fault *why) {
+  const char *outputs[] = {o->output, o->json ? (o->json_path != NULL ? o->json_path : "-") : NULL, o->belief};
+  static const char *const words[] = {"--output", "--json", "--belief"};
+  if (is_same(o->belief, "-")) return fault_set(why, "--belief -: a saved belief is read and written; name a file");
+  for (int i = 0; i < 3; i++) {
+    if (is_same(outputs[i], o->history) || is_same(outputs[i], o->input))
+      return fault_set(why, "%s %s: is what is read; name another file", words[i], outputs[i]);
+    for (int other = 0; other < i; other++)
+      if (is_same(outputs[i], outputs[other]))
+        return fault_set(why, "%s %s: is where %s goes; name another file", words[i], outputs[i], words[other]);
+  }
+  return 0;
+}
+
+int command_belief(int argc, char **argv) {
+  static options o;
+  fault why;
+  if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
+  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  memset(&studied, 0, sizeof studied);
+  studied.o = &o;
+  if (check_names(&o, &why) != 0 || learn(&studied, &why) != 0 || write_all(&studied, &why) != 0)
+    return fault_exit(&why);
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,254 @@
+#include <inttypes.h>
+#include <stdlib.h>
+
+#include "commands.h"
+#include "json.h"
+#include "outfile.h"
+#include "progress.h"
+#include "study.h"
+
+static const char help[] =
+    "quarter tune mission.yaml                          which spots lose least on the ground?\n"
+    "quarter tune mission.yaml --budget-entries 200     with a Q-table of at most 200 entries\n"
+    "quarter tune mission.yaml --learner paper --episodes 20000 --budget-entries 5000\n"
+    "\n"
+    "Tries sizes, diameters, orders and likelihood weights of spots (and, in the paper setting, of regions), learns each,\n"
+    "and measures what its policy earns on the ground against the bound of the true problem. The best comes first; its\n"
+    "options are printed as 'quarter learn' takes them.\n"
+    "\n"
+    "      --budget-entries N   leave out what needs more Q entries\n"
+    "      --episodes N         games for each try (default 2000)\n"
+    "      --learner SETTING, --explore PLAN, --alpha A, --seed N, --robots K, --objective WHAT, --gamma G, --rule RULE,\n"
+    "      --cell-size M, --skip-unreachable     as in 'quarter learn'\n"
+    "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
+    "  -q, --quiet              no progress, no report but JSON\n"
+    "\n"
+    "Exit status: 0 done; 2 bad input, or nothing that fits the budget.\n";
+
+static const option_set set = {"tune",
+                               " json quiet robots objective rule gamma cell-size skip-unreachable episodes seed learner"
+                               " explore alpha budget-entries "};
+
+#define TRIES_MOST 512
+#define DIAMETERS 6
+#define EPISODES_DEFAULT 2000u
+
+typedef struct {
+  bool by_regions, by_spots;
+  int region_size, region_diameter;
+  int spot_size, spot_diameter, spot_order;
+  double spot_likelihood;
+  uint32_t regions, spots;
+  uint64_t entries;
+  qtr_certificate certificate;
+} try;
+
+static study tuned;
+static try tries[TRIES_MOST];
+static int count;
+
+/* ---- what is tried ---- */
+
+static int compare_steps(const void *a, const void *b) {
+  const qtr_steps x = *(const qtr_steps *)a;
+  const qtr_steps y = *(const qtr_steps *)b;
+  return (x > y) - (x < y);
+}
+
+/* Diameters worth trying: quantiles of the distances between places, the lower ones closer together. */
+static int pick_diameters(qtr_steps *diameters) {
+  static qtr_steps all[QTR_MAX_PLACES * QTR_MAX_PLACES];
+  static const double quantiles[DIAMETERS] = {0.03, 0.07, 0.12, 0.2, 0.35, 0.6};
+  const qtr_board *board = &tuned.p.game.board;
+  int pairs = 0;
+  int picked = 0;
+  for (unsigned from = 0; from < board->places; from++) {
+    for (unsigned to = 0; to < from; to++) {
+      const qtr_steps there = qtr_board_steps(board, from, to);
+      const qtr_steps back = qtr_board_steps(board, to, from);
+      if (there != QTR_NEVER && back != QTR_NEVER) all[pairs++] = there > back ? there : back;
+    }
+  }
+  qsort(all, (size_t)pairs, sizeof *all, compare_steps);
+  for (int i = 0; i < DIAMETERS && pairs > 0; i++) {
+    const qtr_steps diameter = all[(int)(quantiles[i] * (pairs - 1))];
+    if (picked == 0 || diameter > diameters[picked - 1]) diameters[picked++] = diameter;
+  }
+  return picked;
+}
+
+static void add_spot_tries(try like) {
+  static const int sizes[] = {2, 3, 5, 8};
+  static const double likelihoods[] = {0.0, 0.25, 1.0};
+  qtr_steps diameters[DIAMETERS];
+  const int picked = pick_diameters(diameters);
+  like.by_spots = true;
+  for (int size = 0; size < 4 && sizes[size] <= QTR_MAX_SPOT_SIZE; size++)
+    for (int i = 0; i < picked; i++)
+      for (int order = QTR_SPOT_BEST; order <= QTR_SPOT_NEAREST; order++)
+        for (int weight = 0; weight < 3 && count < TRIES_MOST; weight++) {
+          like.spot_size = sizes[size];
+          like.spot_diameter = (int)diameters[i];
+          like.spot_order = order;
+          like.spot_likelihood = likelihoods[weight];
+          tries[count++] = like;
+        }
+}
+
+static void add_tries(const options *o) {
+  const try plain = {.region_size = 25, .region_diameter = 15, .spot_size = 1, .spot_diameter = 1};
+  tries[count++] = plain;
+  add_spot_tries(plain);
+  if (o->setting != QTR_SETTING_PAPER) return;
+  static const int sizes[][2] = {{9, 6}, {25, 15}};
+  for (int i = 0; i < 2; i++) {
+    try like = plain;
+    like.by_regions = true;
+    like.region_size = sizes[i][0];
+    like.region_diameter = sizes[i][1];
+    tries[count++] = like;
+    add_spot_tries(like);
+  }
+}
+
+/* ---- trying ---- */
+
+static void apply(const try *t, options *o) {
+  o->by_regions = t->by_regions;
+  o->by_spots = t->by_spots;
+  o->region_size = t->region_size;
+  o->region_diameter = t->region_diameter;
+  o->spot_size = t->spot_size;
+  o->spot_diameter = t->spot_diameter;
+  o->spot_order = t->spot_order;
+  o->spot_likelihood = t->spot_likelihood;
+}
+
+static int learn_try(try *t, const options *asked, fault *why) {
+  options o = *asked;
+  apply(t, &o);
+  if (study_begin(&tuned, &o, why) != 0) return -1;
+  const uint64_t episodes = o.episodes > 0 ? o.episodes : EPISODES_DEFAULT;
+  do qtr_learner_certificate(&tuned.learner, &t->certificate);
+  while (t->certificate.episodes < episodes && qtr_learner_step(&tuned.learner) == QTR_LEARNING);
+  qtr_learner_certificate(&tuned.learner, &t->certificate);
+  t->entries = tuned.learner.table.entries;
+  t->regions = t->by_regions ? tuned.regions.count : 0;
+  t->spots = t->by_spots ? tuned.aggregate.targets : 0;
+  return 0;
+}
+
+static int compare_tries(const void *a, const void *b) {
+  const try *x = a;
+  const try *y = b;
+  if (x->certificate.gap != y->certificate.gap) return x->certificate.gap < y->certificate.gap ? -1 : 1;
+  return (x->entries > y->entries) - (x->entries < y->entries);
+}
+
+/* The best bound that any try found is good for all: they share the ground. */
+static void share_bound(void) {
+  const bool by_time = tuned.p.in.mission.objective == QTR_TIME;
+  double bound = tries[0].certificate.bound;
+  for (int i = 1; i < count; i++)
+    if (by_time ? tries[i].certificate.bound > bound : tries[i].certificate.bound < bound)
+      bound = tries[i].certificate.bound;
+  for (int i = 0; i < count; i++) {
+    qtr_certificate *c = &tries[i].certificate;
+    c->bound = bound;
+    c->gap = by_time ? (c->objective - bound) / c->objective : (bound - c->objective) / c->objective;
+    if (c->gap < 0.0) c->gap = 0.0;
+  }
+}
+
+static int tune(const options *o, fault *why) {
+  if (study_read(&tuned, o, why) != 0) return -1;
+  add_tries(o);
+  for (int i = 0; i < count; i++) {
+    if (learn_try(&tries[i], o, why) != 0) return -1;
+    if (progress_wanted(o->quiet)) fprintf(stderr, "\r\033[Ktry %d of %d", i + 1, count);
+  }
+  if (progress_wanted(o->quiet)) fprintf(stderr, "\r\033[K");
+  share_bound();
+  int kept = 0;
+  for (int i = 0; i < count; i++)
+    if (o->budget_entries == 0 || tries[i].entries <= o->budget_entries) tries[kept++] = tries[i];
+  count = kept;
+  if (count == 0)
+    return fault_set(why, "%s: nothing fits %" PRIu64 " Q entries; allow more with --budget-entries", o->input,
+                     o->budget_entries);
+  qsort(tries, (size_t)count, sizeof *tries, compare_tries);
+  return 0;
+}
+
+/* ---- the report ---- */
+
+static void write_options(FILE *out, const try *t) {
+  static const char *const aggregate[] = {"none", "regions", "spots", "both"};
+  fprintf(out, "--aggregate %s", aggregate[(t->by_regions ? 1 : 0) + (t->by_spots ? 2 : 0)]);
+  if (t->by_regions) fprintf(out, " --region-size %d --region-diameter %d", t->region_size, t->region_diameter);
+  if (!t->by_spots) return;
+  fprintf(out, " --spot-size %d --spot-diameter %d --spot-order %s", t->spot_size, t->spot_diameter,
+          t->spot_order == QTR_SPOT_NEAREST ? "nearest" : "best");
+  if (t->spot_likelihood > 0.0) fprintf(out, " --spot-likelihood %g", t->spot_likelihood);
+}
+
+static void write_text(FILE *out, const options *o) {
+  fprintf(out, "%s: bound %.6g for any policy; the best of %d tries, by what they earn on the ground:\n", o->input,
+          tries[0].certificate.bound, count);
+  fprintf(out, "      gap    objective   Q entries  targets  options\n");
+  for (int i = 0; i < count && i < 10; i++) {
+    const try *t = &tries[i];
+    fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap,
+            t->certificate.objective, t->entries, t->by_spots ? t->spots : tuned.p.game.board.places);
+    write_options(out, t);
+    fputc('\n', out);
+  }
+}
+
+static void write_json(FILE *out, const options *o) {
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "command", "tune");
+  json_string(&j, "input", o->input);
+  json_number(&j, "objective_bound", tries[0].certificate.bound);
+  json_array(&j, "tries");
+  for (int i = 0; i < count; i++) {
+    const try *t = &tries[i];
+    json_flat_object(&j, NULL);
+    json_number(&j, "gap", t->certificate.gap);
+    json_number(&j, "objective_value", t->certificate.objective);
+    json_natural(&j, "q_entries", t->entries);
+    json_natural(&j, "regions", t->regions);
+    json_natural(&j, "spots", t->spots);
+    json_integer(&j, "region_size", t->by_regions ? t->region_size : 0);
+    json_integer(&j, "region_diameter", t->by_regions ? t->region_diameter : 0);
+    json_integer(&j, "spot_size", t->by_spots ? t->spot_size : 0);
+    json_integer(&j, "spot_diameter", t->by_spots ? t->spot_diameter : 0);
+    json_string(&j, "spot_order", t->spot_order == QTR_SPOT_NEAREST ? "nearest" : "best");
+    json_number(&j, "spot_likelihood", t->spot_likelihood);
+    json_end_object(&j);
+  }
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+static int write_out(const options *o, fault *why) {
+  outfile out;
+  if (o->quiet && !o->json) return 0;
+  if (outfile_open(&out, o->json && o->json_path != NULL ? o->json_path : "-", why) != 0) return -1;
+  if (o->json)
+    write_json(out.file, o);
+  else
+    write_text(out.file, o);
+  return outfile_commit(&out, why);
+}
+
+int command_tune(int argc, char **argv) {
+  static options o;
+  fault why;
+  if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
+  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (tune(&o, &why) != 0 || write_out(&o, &why) != 0) return fault_exit(&why);
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,320 @@
+#include "history.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "quarter/status.h"
+#include "reader/near.h"
+#include "reader/text.h"
+
+#define WORD_SHOWN 60
+#define ON_A_LINE 1e-6 /* of a cell: as near to the line between two cells counts as on it */
+
+enum { GAME, FOUND, PLACE, COLUMN, ROW, X, Y, KINDS };
+static const char *const names[KINDS + 1] = {"game", "found", "place", "column", "row", "x", "y", NULL};
+
+typedef struct {
+  const char *text;
+  size_t length;
+} field;
+
+typedef struct {
+  field name; /* empty where the history names no games */
+  int line;
+} game_name;
+
+typedef struct {
+  history_tally *tally;
+  qtr_belief *belief;
+  const input *in;
+  const char *path;
+  double detection;
+  fault *why;
+  text_lines lines;
+  int columns;
+  int kind[KINDS]; /* of each column */
+  bool has[KINDS];
+  field value[KINDS]; /* of the current row, by kind */
+  qtr_search search;  /* of the current game */
+  uint32_t finds;     /* in it */
+  game_name *game;    /* all games so far */
+  size_t games, room;
+} reading;
+
+static int shown(field it) {
+  return it.length < WORD_SHOWN ? (int)it.length : WORD_SHOWN;
+}
+
+/* ---- fields ---- */
+
+/* The next field of a line; *rest is moved behind its comma, or set to NULL at the end. */
+static field next_field(const char **rest, const char *end) {
+  const char *comma = memchr(*rest, ',', (size_t)(end - *rest));
+  field it = {*rest, (size_t)((comma == NULL ? end : comma) - *rest)};
+  *rest = comma == NULL ? NULL : comma + 1;
+  text_trim(&it.text, &it.length);
+  if (it.length >= 2 && it.text[0] == '"' && it.text[it.length - 1] == '"') {
+    it.text++;
+    it.length -= 2;
+  }
+  return it;
+}
+
+static bool is_word(field it, const char *word) {
+  return it.length == strlen(word) && memcmp(it.text, word, it.length) == 0;
+}
+
+/* ---- the header ---- */
+
+static int unknown_column(reading *r, field it) {
+  char word[WORD_SHOWN + 1], known[80];
+  snprintf(word, sizeof word, "%.*s", shown(it), it.text);
+  const char *meant = near_word(word, names);
+  near_list(known, sizeof known, names);
+  if (meant != NULL)
+    return file_fault(r->why, r->path, r->lines.number, 0, "a history has no column \"%s\"; write \"%s\"", word, meant);
+  return file_fault(r->why, r->path, r->lines.number, 0,
+                    "a history has no column \"%s\"; write a header such as \"game,place,found\" (columns: %s)", word,
+                    known);
+}
+
+static int take_column(reading *r, field it) {
+  int kind = 0;
+  while (kind < KINDS && !is_word(it, names[kind])) kind++;
+  if (kind == KINDS) return unknown_column(r, it);
+  if (r->has[kind])
+    return file_fault(r->why, r->path, r->lines.number, 0, "two columns are \"%s\"; drop one of them", names[kind]);
+  r->has[kind] = true;
+  r->kind[r->columns++] = kind;
+  return 0;
+}
+
+/* One way of naming the place, and that whole. */
+static bool names_a_place(const reading *r) {
+  const int by_number = r->has[PLACE], by_cell = r->has[COLUMN] || r->has[ROW], by_point = r->has[X] || r->has[Y];
+  return by_number + by_cell + by_point == 1 && r->has[COLUMN] == r->has[ROW] && r->has[X] == r->has[Y];
+}
+
+static int read_header(reading *r) {
+  const char *rest = r->lines.line, *const end = rest + r->lines.length;
+  while (rest != NULL)
+    if (take_column(r, next_field(&rest, end)) != 0) return -1;
+  if (r->columns == 1 && r->has[FOUND]) {
+    r->kind[0] = PLACE;
+    r->has[PLACE] = true;
+    r->has[FOUND] = false;
+  }
+  if (names_a_place(r)) return 0;
+  return file_fault(r->why, r->path, r->lines.number, 0,
+                    "the header must name the place in one way: \"place\", or \"column,row\", or \"x,y\"; write for "
+                    "instance \"game,place,found\"");
+}
+
+/* ---- rows ---- */
+
+static int split_row(reading *r) {
+  const char *rest = r->lines.line, *const end = rest + r->lines.length;
+  int count = 0;
+  while (rest != NULL) {
+    const field next = next_field(&rest, end);
+    if (count < r->columns) r->value[r->kind[count]] = next;
+    count++;
+  }
+  if (count == r->columns) return 0;
+  return file_fault(r->why, r->path, r->lines.number, 0,
+                    "the line has %d field%s and the header %d; write as many, with commas between", count,
+                    count == 1 ? "" : "s", r->columns);
+}
+
+static int unknown_place(reading *r, const char *which) {
+  return file_fault(r->why, r->path, r->lines.number, 0,
+                    "no place of %s is %s; correct the line, or add the place to the mission (its places are 0 to %d)",
+                    file_short_path(r->in->path), which, r->in->mission.places - 1);
+}
+
+static int read_number(reading *r, double *value, int kind) {
+  const field it = r->value[kind];
+  const char *wrong = text_number(value, it.text, it.length);
+  if (wrong == NULL) return 0;
+  return file_fault(r->why, r->path, r->lines.number, 0, "the %s \"%.*s\" %s; write a number", names[kind], shown(it),
+                    it.text, wrong);
+}
+
+static int place_by_number(reading *r, unsigned *place) {
+  const field it = r->value[PLACE];
+  char which[WORD_SHOWN + 16];
+  long number;
+  if (!text_integer(&number, it.text, it.length))
+    return file_fault(r->why, r->path, r->lines.number, 0,
+                      "the place \"%.*s\" is not a number; write that of the mission's place, 0 to %d", shown(it),
+                      it.text, r->in->mission.places - 1);
+  *place = (unsigned)number;
+  if (number >= 0 && number < r->in->mission.places) return 0;
+  snprintf(which, sizeof which, "number %ld", number);
+  return unknown_place(r, which);
+}
+
+static int place_by_cell(reading *r, unsigned *place) {
+  const qtr_mission *mission = &r->in->mission;
+  double column, row;
+  char which[100];
+  if (read_number(r, &column, COLUMN) != 0 || read_number(r, &row, ROW) != 0) return -1;
+  for (*place = 0; *place < mission->places; ++*place) {
+    const qtr_cell cell = mission->place[*place];
+    if (column == (double)(cell % mission->columns) && row == (double)(cell / mission->columns)) return 0;
+  }
+  snprintf(which, sizeof which, "at column %g, row %g", column, row);
+  return unknown_place(r, which);
+}
+
+/* Whether a coordinate lies in the cell around a centre; one on the line between two belongs to the upper one. */
+static bool is_in_cell(double coordinate, double centre, double cell_size) {
+  const double from = centre - (0.5 + ON_A_LINE) * cell_size;
+  return coordinate >= from && coordinate < from + cell_size;
+}
+
+static int place_by_point(reading *r, unsigned *place) {
+  const double size = r->in->frame.cell_size;
+  double x, y, centre_x, centre_y;
+  char which[100];
+  if (read_number(r, &x, X) != 0 || read_number(r, &y, Y) != 0) return -1;
+  for (*place = 0; *place < r->in->mission.places; ++*place) {
+    input_cell_centre(r->in, r->in->mission.place[*place], &centre_x, &centre_y);
+    if (is_in_cell(x, centre_x, size) && is_in_cell(y, centre_y, size)) return 0;
+  }
+  snprintf(which, sizeof which, "at x %g, y %g", x, y);
+  return unknown_place(r, which);
+}
+
+static int read_found(reading *r, bool *found) {
+  static const char *const words[] = {"0", "1", "no", "yes", "false", "true"};
+  const field it = r->value[FOUND];
+  *found = true;
+  if (!r->has[FOUND]) return 0;
+  for (int i = 0; i < 6; i++) {
+    *found = i % 2 == 1;
+    if (is_word(it, words[i])) return 0;
+  }
+  return file_fault(r->why, r->path, r->lines.number, 0,
+                    "found is \"%.*s\"; write 1 where the target was found, 0 where the place was searched in vain",
+                    shown(it), it.text);
+}
+
+/* ---- games ---- */
+
+static int end_game(reading *r) {
+  if (r->games == 0) return 0;
+  r->tally->games++;
+  if (r->finds > 0) return 0;
+  r->tally->without++;
+  if (qtr_belief_not_found(r->belief, &r->search) == QTR_OK) return 0;
+  return file_fault(r->why, r->path, r->game[r->games - 1].line, 0,
+                    "the game that begins here has searched every place and found nothing, so its target was at none; "
+                    "leave it out, or say with --detection how often a search sees what is there");
+}
+
+static int begin_game(reading *r, field name) {
+  if (end_game(r) != 0) return -1;
+  if (r->games == r->room) {
+    r->room = r->room == 0 ? 256 : 2 * r->room;
+    game_name *larger = realloc(r->game, r->room * sizeof *larger);
+    if (larger == NULL) return fault_set(r->why, "%s: no memory for its games", file_short_path(r->path));
+    r->game = larger;
+  }
+  r->game[r->games++] = (game_name){name, r->lines.number};
+  r->finds = 0;
+  qtr_belief_begin_game(r->belief);
+  qtr_search_begin(&r->search, r->belief);
+  return 0;
+}
+
+static int continue_or_begin_game(reading *r) {
+  const field name = r->value[GAME];
+  if (!r->has[GAME]) return begin_game(r, name);
+  if (name.length == 0)
+    return file_fault(r->why, r->path, r->lines.number, 0, "the game has no name; write a number or a word");
+  if (r->games == 0) return begin_game(r, name);
+  const field current = r->game[r->games - 1].name;
+  if (name.length == current.length && memcmp(name.text, current.text, name.length) == 0) return 0;
+  return begin_game(r, name);
+}
+
+static int compare_games(const void *a, const void *b) {
+  const game_name *x = a, *y = b;
+  const size_t common = x->name.length < y->name.length ? x->name.length : y->name.length;
+  const int order = memcmp(x->name.text, y->name.text, common);
+  if (order != 0) return order;
+  if (x->name.length != y->name.length) return x->name.length < y->name.length ? -1 : 1;
+  return (x->line > y->line) - (x->line < y->line);
+}
+
+static bool have_one_name(const game_name *x, const game_name *y) {
+  return x->name.length == y->name.length && memcmp(x->name.text, y->name.text, x->name.length) == 0;
+}
+
+/* A game that goes on below another one would have been counted twice. Tells of the first line that does. */
+static int check_games(reading *r) {
+  const game_name *first = NULL, *again = NULL;
+  if (!r->has[GAME]) return 0;
+  qsort(r->game, r->games, sizeof *r->game, compare_games);
+  for (size_t i = 1; i < r->games; i++) {
+    if (!have_one_name(&r->game[i - 1], &r->game[i]) || (again != NULL && again->line < r->game[i].line)) continue;
+    first = &r->game[i - 1];
+    again = &r->game[i];
+  }
+  if (again == NULL) return 0;
+  return file_fault(r->why, r->path, again->line, 0,
+                    "game \"%.*s\" has ended already, with rows from line %d on; put its rows together, or name this "
+                    "one otherwise",
+                    shown(again->name), again->name.text, first->line);
+}
+
+static int read_row(reading *r) {
+  unsigned place = 0;
+  bool found;
+  if (split_row(r) != 0) return -1;
+  const int unknown = r->has[PLACE] ? place_by_number(r, &place)
+                      : r->has[X]   ? place_by_point(r, &place)
+                                    : place_by_cell(r, &place);
+  if (unknown != 0 || read_found(r, &found) != 0 || continue_or_begin_game(r) != 0) return -1;
+  if (!found) return qtr_search_empty(&r->search, place, r->detection);
+  r->finds++;
+  r->tally->finds++;
+  r->tally->found[place]++;
+  if (qtr_belief_found(r->belief, place) == QTR_OK) return 0;
+  return file_fault(r->why, r->path, r->lines.number, 0, "place %u has more finds than can be counted; begin anew",
+                    place);
+}
+
+static int read_lines(reading *r, const file_bytes *bytes) {
+  text_start(&r->lines, bytes);
+  while (text_next(&r->lines)) {
+    if (text_blank(r->lines.line, r->lines.length) || r->lines.line[0] == '#') continue;
+    if (r->columns == 0 ? read_header(r) : read_row(r)) return -1;
+  }
+  if (r->columns == 0)
+    return file_fault(r->why, r->path, 0, 0, "holds no header; start it with \"game,place,found\" or \"place\"");
+  if (r->games == 0)
+    return file_fault(r->why, r->path, 0, 0, "holds no game; write a row for each place where a target was found");
+  return end_game(r) != 0 ? -1 : check_games(r);
+}
+
+int history_read(history_tally *tally, qtr_belief *belief, const input *in, const char *path, double detection,
+                 fault *why) {
+  static reading r;
+  file_bytes bytes;
+  memset(tally, 0, sizeof *tally);
+  memset(&r, 0, sizeof r);
+  r.tally = tally;
+  r.belief = belief;
+  r.in = in;
+  r.path = path;
+  r.detection = detection;
+  r.why = why;
+  if (file_read(&bytes, path, FILE_TEXT_LIMIT, NULL, why) != 0) return -1;
+  const int status = read_lines(&r, &bytes);
+  free(r.game);
+  file_free(&bytes);
+  return status;
+}

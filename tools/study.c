@@ -1,0 +1,49 @@
+#include "study.h"
+
+#include "quarter/status.h"
+
+static int divide_map(study *s, const options *o, fault *why) {
+  const qtr_regions_config config = {(uint32_t)o->region_size, (uint32_t)o->region_diameter};
+  const qtr_grid grid = qtr_mission_grid(&s->p.in.mission);
+  const int status = qtr_regions_build(&s->regions, &grid, &config, &s->regions_scratch);
+  return status == QTR_OK ? 0 : fault_set(why, "%s: its regions: %s", o->input, qtr_strerror(status));
+}
+
+/* Times between regions are no bounds. */
+static int check_setting(const options *o, fault *why) {
+  if (!o->by_regions || o->setting == QTR_SETTING_PAPER) return 0;
+  return fault_set(why, "--aggregate: regions go with --learner paper alone, for times between regions are no bounds; the "
+                        "certified setting takes spots");
+}
+
+/* On the ground an aggregate's policy is played by the free rule, whatever the rule that it was learnt by. */
+static int make_aggregate(study *s, const options *o, fault *why) {
+  const qtr_aggregation how = {.rule = s->p.in.mission.rule,
+                               .by_spots = o->by_spots,
+                               .spots = {(uint8_t)o->spot_size, (qtr_steps)o->spot_diameter, o->spot_likelihood},
+                               .spot_order = (uint8_t)o->spot_order,
+                               .regions = o->by_regions ? &s->regions : NULL};
+  if (o->by_regions && divide_map(s, o, why) != 0) return -1;
+  s->p.game.board.rule = QTR_RULE_FREE;
+  const int status = qtr_environment_init(&s->aggregate, &s->p.game, &how, &s->p.field);
+  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));
+}
+
+int study_read(study *s, const options *o, fault *why) {
+  return check_setting(o, why) != 0 ? -1 : problem_read(&s->p, o, why);
+}
+
+int study_begin(study *s, const options *o, fault *why) {
+  const bool aggregated = o->by_regions || o->by_spots;
+  qtr_learner_config config;
+  qtr_learner_config_default(&config);
+  config.gap = o->gap;
+  config.seed = o->seed;
+  config.setting = (uint8_t)o->setting;
+  config.exploration = o->exploration;
+  config.alpha = o->alpha;
+  if (aggregated && make_aggregate(s, o, why) != 0) return -1;
+  int status = qtr_environment_init(&s->ground, &s->p.game, NULL, &s->p.field);
+  if (status == QTR_OK) status = qtr_learner_init(&s->learner, &s->ground, aggregated ? &s->aggregate : NULL, &config);
+  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));
+}

@@ -1,0 +1,27 @@
+/* A problem being learnt as the options say: its ground, the aggregate of it if one is asked for, the learner. */
+#ifndef QUARTER_TOOLS_STUDY_H
+#define QUARTER_TOOLS_STUDY_H
+
+#include "fault.h"
+#include "options.h"
+#include "problem.h"
+#include "quarter/environment.h"
+#include "quarter/learner.h"
+#include "quarter/regions.h"
+
+/* Large: keep it in static storage. */
+typedef struct {
+  problem p;
+  qtr_environment ground, aggregate;
+  qtr_regions regions;
+  qtr_regions_scratch regions_scratch;
+  qtr_learner learner;
+} study;
+
+/* Read the input and set its ground up. 0, or -1 with *why set. */
+int study_read(study *s, const options *o, fault *why);
+
+/* Begin to learn it anew; may be called again with other aggregation options. 0, or -1 with *why set. */
+int study_begin(study *s, const options *o, fault *why);
+
+#endif
