@@ -433,7 +433,7 @@ static void test_keys_are_equal_if_and_only_if_states_are(void) {
 static void test_long_keys_tell_states_apart(void) {
   for (unsigned number = 0; number < 6; number++) {
     test_random random = random_case("long keys", number);
-    const unsigned longest = 1u << random_in(&random, 1, 20);
+    const unsigned longest = 1u << random_in(&random, 1, 17);
     memset(&board, 0, sizeof board);
     board.places = (uint16_t)random_in(&random, QTR_MAX_PLACES / 2, QTR_MAX_PLACES);
     board.seekers = (uint8_t)random_in(&random, 1, QTR_MAX_SEEKERS);

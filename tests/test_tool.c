@@ -147,6 +147,65 @@ static void test_unreachable_places_are_named_or_left_out(void) {
   TEST_ASSERT_NOT_NULL(strstr(result.err, "place 2"));
 }
 
+/* ---- aggregation: what is reported is what the policy earns on the ground, whatever it was learnt on ---- */
+
+#define MANY QUARTER_SOURCE_DIR "/tests/data/reference/case09.txt"
+
+static void expect_ground_value(const char *words) {
+  run_tool(&result, "learn " MANY " --robots 4 %s -o t.qtr --json", words);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  run_tool(&other, "simulate t.qtr --json");
+  TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(1e-7, json_value(other.out, "value"), json_value(result.out, "value"), words);
+  TEST_ASSERT_EQUAL_DOUBLE_MESSAGE(0.0, json_value(other.out, "off_table"), words);
+  TEST_ASSERT_TRUE_MESSAGE(json_value(result.out, "objective_bound") >= 8.355621 * (1.0 - 1e-6), words);
+  TEST_ASSERT_TRUE_MESSAGE(json_value(result.out, "value") <= 8.355622 * (1.0 + 1e-6), words);
+}
+
+static void test_value_is_the_grounds_under_every_aggregation(void) {
+  expect_ground_value("--aggregate spots");
+  expect_ground_value("--aggregate spots --spot-order nearest --spot-likelihood 0.5");
+  expect_ground_value("--learner paper --episodes 300");
+  expect_ground_value("--learner paper --rule paper --episodes 300 --aggregate regions --region-size 9 --region-diameter 6");
+  expect_ground_value("--learner paper --rule paper --episodes 300 --aggregate both --explore softmax:2:0.5:0.99");
+}
+
+static void test_tuning_finds_what_loses_nothing_and_keeps_to_a_budget(void) {
+  run_tool(&result, "tune small.txt --robots 2 --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  TEST_ASSERT_TRUE(json_value(result.out, "gap") < 1e-5);
+  run_tool(&result, "tune " MANY " --robots 4 --learner paper --episodes 50 --budget-entries 300 --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  TEST_ASSERT_TRUE(json_value(result.out, "q_entries") <= 300.0);
+  run_tool(&result, "tune " MANY " --robots 4 --learner paper --episodes 50 --budget-entries 1");
+  expect_refusal("case09.txt", "--budget-entries");
+}
+
+static void test_regions_are_drawn(void) {
+  run_tool(&result, "draw small.txt --regions --region-size 4 --region-diameter 3 -o t.svg");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+}
+
+static void test_bad_aggregations(void) {
+  run_tool(&result, "learn small.txt --aggregate regions");
+  expect_refusal("--aggregate", "--learner paper");
+  run_tool(&result, "learn small.txt --aggregate heaps");
+  expect_refusal("heaps", "spots");
+  run_tool(&result, "learn small.txt --spot-size 0");
+  expect_refusal("--spot-size", "1");
+  run_tool(&result, "learn small.txt --spot-size 9");
+  expect_refusal("--spot-size", "8");
+  run_tool(&result, "learn small.txt --spot-diameter 0");
+  expect_refusal("--spot-diameter", "1");
+  run_tool(&result, "learn small.txt --region-size 0");
+  expect_refusal("--region-size", "1");
+  run_tool(&result, "learn small.txt --region-diameter 99999999");
+  expect_refusal("--region-diameter", "1");
+  run_tool(&result, "learn small.txt --learner paper --explore epsilon:2");
+  expect_refusal("--explore", "0 to 1");
+  run_tool(&result, "learn small.txt --learner paper --alpha 0");
+  expect_refusal("--alpha", "above 0");
+}
+
 /* ---- bad input ---- */
 
 static void test_bad_drawings(void) {
@@ -248,6 +307,10 @@ int main(void) {
   RUN_TEST(test_pictures_of_missions_and_tables);
   RUN_TEST(test_interrupting_still_writes_the_best_policy);
   RUN_TEST(test_unreachable_places_are_named_or_left_out);
+  RUN_TEST(test_value_is_the_grounds_under_every_aggregation);
+  RUN_TEST(test_tuning_finds_what_loses_nothing_and_keeps_to_a_budget);
+  RUN_TEST(test_regions_are_drawn);
+  RUN_TEST(test_bad_aggregations);
   RUN_TEST(test_bad_drawings);
   RUN_TEST(test_bad_missions);
   RUN_TEST(test_more_than_the_build_holds);

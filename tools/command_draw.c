@@ -7,22 +7,27 @@
 #include "draw_svg.h"
 #include "outfile.h"
 #include "problem.h"
+#include "quarter/regions.h"
+#include "quarter/status.h"
 #include "table.h"
 
 static const char help[] =
     "quarter draw mission.qtr -o mission.svg            the map, the places, each seeker's territory and route\n"
     "quarter draw mission.yaml -o map.svg               the map, places and starts alone, before learning\n"
+    "quarter draw map.txt --regions -o regions.svg      the regions that the map divides into\n"
     "\n"
     "Places are sized by likelihood and numbered in the order of their seeker's route; a browser shows each one's own\n"
     "number on pointing at it. '-o -' is standard output.\n"
     "\n"
     "  -o, --output FILE        the SVG picture (required)\n"
     "      --robots K, --cell-size M, --skip-unreachable     as in 'quarter learn', for inputs\n"
+    "      --regions            draw the borders of the map's regions\n"
+    "      --region-size N --region-diameter D     cells of a region, and steps between any two (default 25, 15)\n"
     "  -q, --quiet              say nothing\n"
     "\n"
     "Exit status: 0 done; 2 bad input, nothing written.\n";
 
-static const option_set set = {"draw", " output quiet robots cell-size skip-unreachable "};
+static const option_set set = {"draw", " output quiet robots cell-size skip-unreachable regions region-size region-diameter "};
 
 #define LINES_MOST 8
 #define LINE_SIZE 96
@@ -31,6 +36,7 @@ static const option_set set = {"draw", " output quiet robots cell-size skip-unre
 typedef struct {
   drawing d;
   uint8_t *cost;
+  uint16_t *region;
   qtr_cell place[QTR_MAX_PLACES];
   double likelihood[QTR_MAX_PLACES];
   drawing_seeker seeker[QTR_MAX_SEEKERS];
@@ -43,6 +49,8 @@ typedef struct {
 static sheet picture;
 static problem drawn;
 static qtr_field way;
+static qtr_regions divided;
+static qtr_regions_scratch dividing;
 
 static void __attribute__((format(printf, 2, 3))) add_line(sheet *s, const char *format, ...) {
   va_list arguments;
@@ -62,6 +70,7 @@ static void set_arrays(sheet *s) {
 
 static void free_sheet(sheet *s) {
   free(s->cost);
+  free(s->region);
   for (int i = 0; i < QTR_MAX_SEEKERS; i++) free(s->trail[i]);
 }
 
@@ -155,6 +164,23 @@ static int from_table(sheet *s, const table *t, fault *why) {
   return 0;
 }
 
+/* ---- regions ---- */
+
+static int add_regions(sheet *s, const options *o, fault *why) {
+  const qtr_regions_config config = {(uint32_t)o->region_size, (uint32_t)o->region_diameter};
+  const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->cost};
+  const size_t cells = (size_t)s->d.columns * s->d.rows;
+  const int status = qtr_regions_build(&divided, &grid, &config, &dividing);
+  if (status != QTR_OK) return fault_set(why, "%s: its regions: %s", o->input, qtr_strerror(status));
+  s->region = malloc(cells * sizeof *s->region);
+  if (s->region == NULL || divided.count > UINT16_MAX)
+    return fault_set(why, "%s: too many regions for a picture: %" PRIu32 "; allow larger ones", o->input, divided.count);
+  for (size_t cell = 0; cell < cells; cell++) s->region[cell] = (uint16_t)divided.of[cell];
+  s->d.region = s->region;
+  add_line(s, "regions\t%" PRIu32, divided.count);
+  return 0;
+}
+
 /* ---- the command ---- */
 
 static int write_picture(const sheet *s, const options *o, fault *why) {
@@ -185,6 +211,7 @@ static int draw(const options *o, fault *why) {
     status = from_input(&picture, o, why);
   }
   picture.d.title = drawn.in.name[0] != '\0' ? drawn.in.name : base_name(o->input);
+  if (status == 0 && o->regions) status = add_regions(&picture, o, why);
   return status == 0 ? write_picture(&picture, o, why) : -1;
 }
 

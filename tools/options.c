@@ -289,6 +289,14 @@ static int take_detection(options *o, const char *name, const char *value, fault
   return take_number(&o->detection, name, value, "from 0 to 1 (1: nothing is overlooked)", 0.0, 1.0, why);
 }
 
+static int take_regions(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)value;
+  (void)why;
+  o->regions = true;
+  return 0;
+}
+
 static const option_row rows[] = {{"output", required_argument, 'o', take_output},
                                   {"c", required_argument, 0, take_c},
                                   {"json", optional_argument, 0, take_json},
@@ -318,6 +326,7 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"late", required_argument, 0, take_late},
                                   {"lost", required_argument, 0, take_lost},
                                   {"target", required_argument, 0, take_target},
+                                  {"regions", no_argument, 0, take_regions},
                                   {"clear-all", no_argument, 0, take_clear_all},
                                   {"history", required_argument, 0, take_history},
                                   {"belief", required_argument, 0, take_belief},

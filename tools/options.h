@@ -56,6 +56,8 @@ typedef struct {
   option_lost lost[QTR_MAX_SEEKERS];
   int target; /* place, or OPTIONS_UNSET */
   bool clear_all;
+  /* drawing */
+  bool regions;
   /* belief */
   const char *history; /* CSV; NULL: none */
   const char *belief;  /* saved belief, read and written; NULL: none */
