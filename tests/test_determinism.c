@@ -84,12 +84,12 @@ typedef struct {
 } golden_drawing;
 
 static const golden_drawing drawings[] = {
-    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_FREE, 0x4805F245},
-    {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0xF4F12C3D},
-    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_PAPER, 0x6234491D},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0xA12C73E5},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0xE5C2CD19},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_PAPER, 0x4388E46A},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_FREE, 0x3F92C935},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0x8366174D},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_PAPER, 0x2F913301},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0x1CC2C5DF},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0xBE29DDC8},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_PAPER, 0xD9426318},
 };
 
 /* Counts differences, so that one run shows all the new numbers. */
@@ -116,7 +116,7 @@ static void test_drawings_give_the_golden_tables(void) {
 
 /* Open ground, 13 places of even odds, 2 seekers: hundreds of episodes, each on the floats of the ones before. */
 static void test_hundreds_of_episodes_give_the_golden_table(void) {
-  static const uint32_t hash[2] = {0x634020A6, 0xDB86963E};
+  static const uint32_t hash[2] = {0xC91A2CD9, 0x71DC9A41};
   unsigned others = 0;
   for (uint8_t objective = 0; objective < 2; objective++) {
     test_random random = {2024};

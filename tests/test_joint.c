@@ -210,7 +210,7 @@ static void test_cleared_bits_beyond_the_places_mean_nothing(void) {
 
 /* ---- boards ---- */
 
-static int init_with(uint16_t places, uint8_t seekers, uint8_t starts, uint8_t rule) {
+static int init_with(uint16_t places, uint8_t seekers, uint16_t starts, uint8_t rule) {
   board.places = places;
   board.seekers = seekers;
   board.starts = starts;
@@ -223,7 +223,7 @@ static void test_board_out_of_range_is_refused(void) {
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, init_with(0, 2, 2, 0));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, init_with(2, 0, 1, 0));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, init_with(2, 2, 0, 0));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, init_with(2, 2, 3, 0));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, init_with(2, 2, QTR_MAX_STARTS + 1, 0));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, init_with(2, 2, 2, 2));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, init_with(QTR_MAX_PLACES + 1, 2, 2, 0));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, init_with(2, QTR_MAX_SEEKERS + 1, 2, 0));

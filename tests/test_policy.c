@@ -108,17 +108,35 @@ static void test_dimensions_of_nothing_are_refused(void) {
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_ROWS, 0, 2);
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_PLACES, 0, 2);
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_SEEKERS, 0, 1);
-  expect_field(QTR_ERR_CORRUPT, QTR_POLICY_STARTS, 0, 1);
+  expect_field(QTR_ERR_CORRUPT, QTR_POLICY_STARTS, 0, 2);
 }
 
 static void test_values_out_of_their_range_are_refused(void) {
   make_table();
-  expect_field(QTR_ERR_CORRUPT, QTR_POLICY_STARTS, 3, 1);
+  expect_field(QTR_ERR_CORRUPT, QTR_POLICY_STARTS, 0x8000, 2);
+  expect_field(QTR_ERR_CORRUPT, QTR_POLICY_ANY_START, 2, 1);
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_RULE, 2, 1);
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_GRID, 2, 1);
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_ORIGIN_X + 4, 0x7FFFFFFF, 4);
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_ORIGIN_Y + 4, 0x80000000, 4);
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_HEADER_BYTES + 1, 2, 1); /* seeker 1's start */
+}
+
+/* ---- deployment ---- */
+
+static void test_seekers_are_put_at_starts_of_the_table_and_nowhere_else(void) {
+  qtr_policy policy;
+  table_draw("S..1..S/...2...", 0);
+  table_open(&policy);
+  const qtr_cell swapped[2] = {6, 0};
+  const qtr_cell off_start[2] = {0, 1};
+  const qtr_cell off_map[2] = {0, 14};
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_deploy(&policy, swapped));
+  TEST_ASSERT_EQUAL_UINT16(1, policy.board.start_of[0]);
+  TEST_ASSERT_EQUAL_UINT16(0, policy.board.start_of[1]);
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_START, qtr_policy_deploy(&policy, off_start));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_START, qtr_policy_deploy(&policy, off_map));
+  TEST_ASSERT_EQUAL_UINT16(1, policy.board.start_of[0]);
 }
 
 static void test_objective_that_is_none_is_refused(void) {
@@ -386,6 +404,7 @@ int main(void) {
   RUN_TEST(test_caller_of_another_build_is_refused);
   RUN_TEST(test_dimensions_of_nothing_are_refused);
   RUN_TEST(test_values_out_of_their_range_are_refused);
+  RUN_TEST(test_seekers_are_put_at_starts_of_the_table_and_nowhere_else);
   RUN_TEST(test_objective_that_is_none_is_refused);
   RUN_TEST(test_more_than_the_build_holds_is_refused);
   RUN_TEST(test_sizes_that_do_not_add_up_are_refused);

@@ -180,6 +180,40 @@ static void test_tuning_finds_what_loses_nothing_and_keeps_to_a_budget(void) {
   expect_refusal("case09.txt", "--budget-entries");
 }
 
+static void test_a_table_for_any_start_answers_everywhere(void) {
+  run_tool(&result, "learn small.txt --robots 2 --starts any --region-size 4 --region-diameter 3 -o t.qtr --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  TEST_ASSERT_EQUAL_DOUBLE(100.0, json_value(result.out, "trials"));
+  TEST_ASSERT_TRUE(json_value(result.out, "worst_loss") >= 0.0);
+  run_tool(&other, "simulate t.qtr --json");
+  TEST_ASSERT_DOUBLE_WITHIN(1e-8, json_value(result.out, "value"), json_value(other.out, "value"));
+  for (int cell = 0; cell < 16; cell++) {
+    if (SMALL[cell / 4 * 5 + cell % 4] == '#') continue;
+    run_tool(&other, "simulate t.qtr --from %d,%d --from 3,0 --json", cell % 4, cell / 4);
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, json_value(other.out, "off_table"));
+    TEST_ASSERT_TRUE(json_is(other.out, "unvisited", "[]"));
+  }
+  run_tool(&result, "simulate t.qtr --from 0,1 --from 0,0");
+  expect_refusal("--from", "obstacle");
+}
+
+static void test_a_table_for_any_progress_resumes_on_the_table(void) {
+  static const char *const cleared[] = {"0", "1", "2", "0,1", "0,2", "1,2"};
+  run_tool(&result, "learn small.txt --robots 2 --cleared any -o t.qtr");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  for (int i = 0; i < 6; i++) {
+    run_tool(&other, "simulate t.qtr --clear %s --json", cleared[i]);
+    TEST_ASSERT_EQUAL_DOUBLE(0.0, json_value(other.out, "off_table"));
+    TEST_ASSERT_TRUE(json_is(other.out, "unvisited", "[]"));
+  }
+}
+
+static void test_a_table_too_large_is_refused_with_its_size(void) {
+  run_tool(&result, "learn " MANY " --robots 4 --starts any --cleared any -o t.qtr");
+  expect_refusal("--table-limit", "MB");
+  TEST_ASSERT_FALSE(exists("t.qtr"));
+}
+
 static void test_regions_are_drawn(void) {
   run_tool(&result, "draw small.txt --regions --region-size 4 --region-diameter 3 -o t.svg");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
@@ -309,6 +343,9 @@ int main(void) {
   RUN_TEST(test_unreachable_places_are_named_or_left_out);
   RUN_TEST(test_value_is_the_grounds_under_every_aggregation);
   RUN_TEST(test_tuning_finds_what_loses_nothing_and_keeps_to_a_budget);
+  RUN_TEST(test_a_table_for_any_start_answers_everywhere);
+  RUN_TEST(test_a_table_for_any_progress_resumes_on_the_table);
+  RUN_TEST(test_a_table_too_large_is_refused_with_its_size);
   RUN_TEST(test_regions_are_drawn);
   RUN_TEST(test_bad_aggregations);
   RUN_TEST(test_bad_drawings);

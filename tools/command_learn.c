@@ -43,6 +43,9 @@ static const char help[] =
     "      --spot-order ORDER   inside a spot: best (the default) or nearest first\n"
     "      --spot-likelihood W  0 (the default) or more: likely places keep away from unlikely ones\n"
     "      --region-size N --region-diameter D cells of a region, and steps between any two of them (default 25, 15)\n"
+    "      --starts any         one table for starts in any region of the map: seekers are put elsewhere at run time\n"
+    "      --cleared any        one table for any set of places cleared beforehand: a mission resumed\n"
+    "      --table-limit MB     refuse to make a larger table (default 4)\n"
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no progress, no report but JSON\n"
     "\n"
@@ -51,7 +54,7 @@ static const char help[] =
 static const option_set set = {"learn",
                                " output c json quiet robots objective rule gamma cell-size skip-unreachable gap"
                                " time-limit episodes seed learner explore alpha aggregate region-size region-diameter"
-                               " spot-size spot-diameter spot-order spot-likelihood "};
+                               " spot-size spot-diameter spot-order spot-likelihood starts cleared table-limit "};
 
 static study learnt;
 static volatile sig_atomic_t interrupted;
@@ -123,20 +126,33 @@ static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bo
   return outfile_commit(&out, why);
 }
 
+/* The bytes of the table that the options ask for, newly allocated. Their number, or 0 with *why set. */
+static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *why) {
+  r->anywhere = o->any_starts || o->any_cleared;
+  if (r->anywhere) return anywhere_learn(&learnt, o, bytes, &r->any, why);
+  const uint32_t size = qtr_export_size(&learnt.learner);
+  *bytes = malloc(size);
+  const int32_t written = *bytes != NULL ? qtr_export(&learnt.learner, *bytes, size) : QTR_ERR_SPACE;
+  if (written > 0) return (uint32_t)written;
+  free(*bytes);
+  fault_set(why, "no policy table can be made: %s", qtr_strerror(written));
+  return 0;
+}
+
 /* The table, opened once as a robot will, gives the routes of the report: what is told is what was written. */
 static int write_table(report *r, const options *o, fault *why) {
-  const uint32_t size = qtr_export_size(&learnt.learner);
-  table t = {.bytes = {malloc(size), size}};
-  int status = -1;
-  if (t.bytes.data == NULL) return fault_set(why, "no memory for a table of %lu bytes", (unsigned long)size);
-  const int32_t written = qtr_export(&learnt.learner, t.bytes.data, size);
-  if (written < 0 || qtr_policy_open(&t.policy, t.bytes.data, size) != QTR_OK) {
-    fault_set(why, "the policy table does not open: %s; this is a fault of Quarter's", qtr_strerror(written));
+  table t = {.bytes = {NULL, 0}};
+  const uint32_t size = make_table(r, o, &t.bytes.data, why);
+  if (size == 0) return -1;
+  t.bytes.size = size;
+  int status = qtr_policy_open(&t.policy, t.bytes.data, size);
+  if (status != QTR_OK) {
+    status = fault_set(why, "the policy table does not open: %s; this is a fault of Quarter's", qtr_strerror(status));
   } else {
     r->table_bytes = size;
-    r->table_records = (uint16_t)t.policy.records;
+    r->table_records = t.policy.records;
     table_routes(&t, r->route);
-    status = o->output != NULL ? write_bytes(o->output, t.bytes.data, size, false, why) : 0;
+    if (o->output != NULL) status = write_bytes(o->output, t.bytes.data, size, false, why);
     if (status == 0 && o->c_output != NULL) status = write_bytes(o->c_output, t.bytes.data, size, true, why);
   }
   table_free(&t);

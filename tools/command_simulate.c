@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "json.h"
 #include "outfile.h"
+#include "quarter/status.h"
 #include "simulation.h"
 
 static const char help[] =
@@ -20,6 +21,8 @@ static const char help[] =
     "      --clear-all          go on after the find, until every territory is done\n"
     "      --late SEEKER:+STEPS or SEEKER:xFACTOR   may be given several times\n"
     "      --lost SEEKER@STEP   may be given several times\n"
+    "      --from COLUMN,ROW    where a seeker starts, given once for each: a table made with --starts any takes any cell\n"
+    "      --clear PLACE,...    places cleared beforehand, as every robot knows\n"
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no report but JSON\n"
     "\n"
@@ -28,15 +31,16 @@ static const char help[] =
     "\n"
     "Exit status: 0 done; 2 bad input.\n";
 
-static const option_set set = {"simulate", " json quiet late lost target clear-all "};
+static const option_set set = {"simulate", " json quiet late lost target clear-all from clear "};
 
-static bool was_visited(const simulation *s, int place) {
+static bool was_visited(const simulation *s, const options *o, int place) {
+  if (qtr_places_has(&o->clear, (unsigned)place)) return true;
   for (int i = 0; i < s->visits; i++)
     if (s->visit[i].place == place) return true;
   return false;
 }
 
-static void write_visits(json *j, const simulation *s, const table *t) {
+static void write_visits(json *j, const simulation *s, const table *t, const options *o) {
   json_array(j, "visits");
   for (int i = 0; i < s->visits; i++) {
     json_flat_object(j, NULL);
@@ -48,7 +52,7 @@ static void write_visits(json *j, const simulation *s, const table *t) {
   json_end_array(j);
   json_flat_array(j, "unvisited");
   for (int place = 0; place < t->policy.board.places; place++)
-    if (!was_visited(s, place)) json_integer(j, NULL, place);
+    if (!was_visited(s, o, place)) json_integer(j, NULL, place);
   json_end_array(j);
 }
 
@@ -60,7 +64,7 @@ static void write_json(FILE *out, const simulation *s, const table *t, const opt
   json_string(&j, "input", o->input);
   json_integer(&j, "places", t->policy.board.places);
   json_integer(&j, "robots", t->policy.board.seekers);
-  write_visits(&j, s, t);
+  write_visits(&j, s, t, o);
   json_number(&j, "value", s->value);
   json_number(&j, "expected_time", s->expected_time);
   json_natural(&j, "off_table", s->off_table);
@@ -84,7 +88,7 @@ static void write_text(FILE *out, const simulation *s, const table *t, const opt
   for (int i = 0; i < s->visits; i++)
     fprintf(out, "  step %4" PRIu32 "  seeker %d  place %d\n", s->visit[i].step, s->visit[i].seeker, s->visit[i].place);
   for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
-    if (!was_visited(s, place)) fprintf(out, "  place %d was not visited\n", place);
+    if (!was_visited(s, o, place)) fprintf(out, "  place %d was not visited\n", place);
   if (s->found_step != QTR_NEVER)
     fprintf(out, "target found at place %d, step %" PRIu32 "\n", o->target, s->found_step);
   else if (isnan(s->expected_time))
@@ -104,6 +108,25 @@ static int write_out(const simulation *s, const table *t, const options *o, faul
   return outfile_commit(&out, why);
 }
 
+/* Put the seekers where the options say. */
+static int deploy(table *t, const options *o, fault *why) {
+  const unsigned columns = t->policy.grid.columns;
+  qtr_cell starts[QTR_MAX_SEEKERS];
+  if (o->froms == 0) return 0;
+  if (o->froms != t->policy.board.seekers)
+    return fault_set(why, "--from: given %d times, but the table has %d seekers; give each its start", o->froms,
+                     t->policy.board.seekers);
+  for (int i = 0; i < o->froms; i++) {
+    if (o->from[i].column >= (int)columns || o->from[i].row >= (int)t->policy.grid.rows)
+      return fault_set(why, "--from %d,%d: off the map, which has %u columns and %u rows", o->from[i].column,
+                       o->from[i].row, columns, t->policy.grid.rows);
+    starts[i] = (qtr_cell)(o->from[i].row * (int)columns + o->from[i].column);
+  }
+  if (qtr_policy_deploy(&t->policy, starts) == QTR_OK) return 0;
+  return fault_set(why, "--from: an obstacle, or not a start of %s; name free cells, of a table made with --starts any",
+                   o->input);
+}
+
 int command_simulate(int argc, char **argv) {
   static options o;
   static simulation s;
@@ -112,7 +135,8 @@ int command_simulate(int argc, char **argv) {
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
   if (table_read(&t, o.input, &why) != 0) return fault_exit(&why);
-  int status = simulation_run(&s, &t, &o, &why);
+  int status = deploy(&t, &o, &why);
+  if (status == 0) status = simulation_run(&s, &t, &o, &why);
   if (status == 0) status = write_out(&s, &t, &o, &why);
   table_free(&t);
   return status == 0 ? EXIT_SUCCESS : fault_exit(&why);

@@ -194,6 +194,24 @@ static int take_spot_likelihood(options *o, const char *name, const char *value,
   return take_number(&o->spot_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
 }
 
+static int take_starts(options *o, const char *name, const char *value, fault *why) {
+  int any = 0;
+  if (take_word(&any, name, value, "mission", "any", why) != 0) return -1;
+  o->any_starts = any != 0;
+  return 0;
+}
+
+static int take_cleared(options *o, const char *name, const char *value, fault *why) {
+  int any = 0;
+  if (take_word(&any, name, value, "none", "any", why) != 0) return -1;
+  o->any_cleared = any != 0;
+  return 0;
+}
+
+static int take_table_limit(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->table_limit, name, value, "of megabytes, from 0.001 to 1000", 1e-3, 1e3, why);
+}
+
 static int take_budget_entries(options *o, const char *name, const char *value, fault *why) {
   return take_count(&o->budget_entries, name, value, 1, UINT64_MAX - 1, why);
 }
@@ -248,6 +266,29 @@ static int take_lost(options *o, const char *name, const char *value, fault *why
   if (take_count(&step, name, at + 1, 0, 4000000000u, why) != 0) return -1;
   lost->step = (uint32_t)step;
   o->losts++;
+  return 0;
+}
+
+/* COLUMN,ROW */
+static int take_from(options *o, const char *name, const char *value, fault *why) {
+  int taken = 0;
+  if (o->froms == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
+  const int fields = sscanf(value, "%6d,%6d%n", &o->from[o->froms].column, &o->from[o->froms].row, &taken);
+  if (fields != 2 || value[taken] != '\0' || o->from[o->froms].column < 0 || o->from[o->froms].row < 0)
+    return fault_set(why, "--%s %s: say COLUMN,ROW, counted from 0 at the top left", name, value);
+  o->froms++;
+  return 0;
+}
+
+/* PLACE,PLACE,... */
+static int take_clear(options *o, const char *name, const char *value, fault *why) {
+  for (const char *at = value; at != NULL; at = strchr(at, ',') != NULL ? strchr(at, ',') + 1 : NULL) {
+    char word[16];
+    int place;
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(at, ","), at);
+    if (take_int(&place, name, word, 0, QTR_MAX_PLACES - 1, why) != 0) return -1;
+    qtr_places_add(&o->clear, (unsigned)place);
+  }
   return 0;
 }
 
@@ -318,6 +359,9 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"spot-diameter", required_argument, 0, take_spot_diameter},
                                   {"spot-order", required_argument, 0, take_spot_order},
                                   {"spot-likelihood", required_argument, 0, take_spot_likelihood},
+                                  {"starts", required_argument, 0, take_starts},
+                                  {"cleared", required_argument, 0, take_cleared},
+                                  {"table-limit", required_argument, 0, take_table_limit},
                                   {"budget-entries", required_argument, 0, take_budget_entries},
                                   {"gap", required_argument, 0, take_gap},
                                   {"time-limit", required_argument, 0, take_time_limit},
@@ -325,6 +369,8 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"seed", required_argument, 0, take_seed},
                                   {"late", required_argument, 0, take_late},
                                   {"lost", required_argument, 0, take_lost},
+                                  {"from", required_argument, 0, take_from},
+                                  {"clear", required_argument, 0, take_clear},
                                   {"target", required_argument, 0, take_target},
                                   {"regions", no_argument, 0, take_regions},
                                   {"clear-all", no_argument, 0, take_clear_all},
@@ -375,6 +421,7 @@ static void set_defaults(options *o) {
   o->region_diameter = 15;
   o->spot_size = 5;
   o->spot_diameter = 25;
+  o->table_limit = 4.0;
   o->detection = 1.0;
   o->alpha = 1.0;
   qtr_exploration_default(&o->exploration);

@@ -8,6 +8,7 @@
 #include "fault.h"
 #include "quarter/config.h"
 #include "quarter/explore.h"
+#include "quarter/places.h"
 
 enum { OPTIONS_UNSET = -1 };
 
@@ -45,6 +46,8 @@ typedef struct {
   int region_size, region_diameter;
   int spot_size, spot_diameter, spot_order; /* enum qtr_spot_order */
   double spot_likelihood;
+  bool any_starts, any_cleared;
+  double table_limit;      /* megabytes */
   uint64_t budget_entries; /* 0: none */
   double gap;
   double time_limit;   /* seconds; 0: none */
@@ -54,6 +57,11 @@ typedef struct {
   int lates, losts;
   option_late late[QTR_MAX_SEEKERS];
   option_lost lost[QTR_MAX_SEEKERS];
+  int froms;  /* seekers put elsewhere than the table says; 0: none */
+  struct {
+    int column, row;
+  } from[QTR_MAX_SEEKERS];
+  qtr_places clear; /* places cleared beforehand */
   int target; /* place, or OPTIONS_UNSET */
   bool clear_all;
   /* drawing */

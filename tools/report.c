@@ -63,6 +63,15 @@ static void write_json(FILE *out, const report *r) {
   json_natural(&j, "table_bytes", r->table_bytes);
   json_natural(&j, "table_records", r->table_records);
   write_routes(&j, r);
+  if (r->anywhere) {
+    json_flat_object(&j, "anywhere");
+    json_natural(&j, "games", r->any.games);
+    json_natural(&j, "regions", r->any.regions);
+    json_integer(&j, "trials", r->any.trials);
+    json_number(&j, "median_loss", r->any.median_loss);
+    json_number(&j, "worst_loss", r->any.worst_loss);
+    json_end_object(&j);
+  }
   json_end_object(&j);
 }
 
@@ -102,7 +111,11 @@ static void write_text(FILE *out, const report *r) {
     fprintf(out, "%.3g s\n", r->seconds);
   report_routes(out, r->route, mission->seekers);
   if (r->o->output != NULL)
-    fprintf(out, "wrote %s: %" PRIu32 " bytes, %d states\n", r->o->output, r->table_bytes, r->table_records);
+    fprintf(out, "wrote %s: %" PRIu32 " bytes, %" PRIu32 " states\n", r->o->output, r->table_bytes, r->table_records);
+  if (r->anywhere && r->any.trials > 0)
+    fprintf(out, "for any start in %" PRIu32 " regions; from %d random starts it loses %.2g%% (median), %.2g%% (worst) "
+                 "against policies learnt for them alone\n",
+            r->any.regions, r->any.trials, 100.0 * r->any.median_loss, 100.0 * r->any.worst_loss);
   if (r->o->c_output != NULL) fprintf(out, "wrote %s\n", r->o->c_output);
 }
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "anywhere.h"
 #include "fault.h"
 #include "options.h"
 #include "problem.h"
@@ -22,8 +23,10 @@ typedef struct {
   uint64_t q_entries, q_bytes; /* of the entries, keys and values */
   double seconds;              /* from the travel times to the certificate */
   uint32_t table_bytes;        /* 0: no table was made */
-  uint16_t table_records;
+  uint32_t table_records;
   table_route route[QTR_MAX_SEEKERS];
+  bool anywhere; /* the table is for any start, or any places cleared */
+  anywhere_report any;
 } report;
 
 /* Print or write the report as the options say. 0, or -1 with *why set. */

@@ -65,15 +65,16 @@ static void free_world(world *w) {
 
 static int make_world(world *w, const table *t, const options *o, fault *why) {
   const qtr_board *board = &t->policy.board;
-  *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, o, QTR_NOBODY, {{0}}};
+  *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, o, QTR_NOBODY, o->clear};
   for (int i = 0; w->robots != NULL && i < w->count; i++) {
     robot *r = &w->robots[i];
     r->field = malloc(sizeof *r->field);
     r->heading = QTR_STAND_DOWN;
-    r->cell = qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
+    r->cell = o->froms > 0 ? (qtr_cell)(o->from[i].row * t->policy.grid.columns + o->from[i].column)
+                           : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
     r->factor = 1.0;
     r->lost = QTR_NEVER;
-    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, NULL);
+    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, &o->clear);
   }
   bool whole = w->robots != NULL;
   for (int i = 0; whole && i < w->count; i++) whole = w->robots[i].field != NULL;
@@ -175,16 +176,25 @@ static bool step_world(simulation *s, world *w, qtr_steps now) {
 
 /* ---- the account ---- */
 
+static int left_over(const world *w) {
+  int left = 0;
+  for (unsigned place = 0; place < w->t->policy.board.places; place++) left += !qtr_places_has(&w->seen, place);
+  return left;
+}
+
 static void add_up(simulation *s, const world *w) {
   const table_certificate certificate = table_certificate_of(w->t);
   s->value = 0.0;
-  s->expected_time = s->visits == w->t->policy.board.places ? 0.0 : NAN;
+  double visited = 0.0;
+  double sum = 0.0;
   for (int i = 0; i < s->visits; i++) {
     const double probability = table_probability(w->t, s->visit[i].place);
     const qtr_steps step = s->visit[i].step;
     s->value += QTR_REWARD_SCALE * probability * pow(certificate.gamma, step > 0 ? step - 1.0 : 0.0);
-    s->expected_time += probability * step;
+    visited += probability;
+    sum += probability * step;
   }
+  s->expected_time = left_over(w) == 0 ? sum / (visited > 0.0 ? visited : 1.0) : NAN;
   for (int i = 0; i < w->count; i++) s->off_table += w->robots[i].seeker.off_table;
 }
 

@@ -2,7 +2,7 @@
 
 #include "quarter/status.h"
 
-static int divide_map(study *s, const options *o, fault *why) {
+int study_divide(study *s, const options *o, fault *why) {
   const qtr_regions_config config = {(uint32_t)o->region_size, (uint32_t)o->region_diameter};
   const qtr_grid grid = qtr_mission_grid(&s->p.in.mission);
   const int status = qtr_regions_build(&s->regions, &grid, &config, &s->regions_scratch);
@@ -23,7 +23,7 @@ static int make_aggregate(study *s, const options *o, fault *why) {
                                .spots = {(uint8_t)o->spot_size, (qtr_steps)o->spot_diameter, o->spot_likelihood},
                                .spot_order = (uint8_t)o->spot_order,
                                .regions = o->by_regions ? &s->regions : NULL};
-  if (o->by_regions && divide_map(s, o, why) != 0) return -1;
+  if (o->by_regions && study_divide(s, o, why) != 0) return -1;
   s->p.game.board.rule = QTR_RULE_FREE;
   const int status = qtr_environment_init(&s->aggregate, &s->p.game, &how, &s->p.field);
   return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));

@@ -21,6 +21,9 @@ typedef struct {
 /* Read the input and set its ground up. 0, or -1 with *why set. */
 int study_read(study *s, const options *o, fault *why);
 
+/* Divide the map into regions as the options say. 0, or -1 with *why set. */
+int study_divide(study *s, const options *o, fault *why);
+
 /* Begin to learn it anew; may be called again with other aggregation options. 0, or -1 with *why set. */
 int study_begin(study *s, const options *o, fault *why);
 

@@ -24,7 +24,7 @@
 #endif
 #endif
 
-/* Candidate places of a mission, 1..32767. A set of places costs a robot one 32-bit word for every 32 of them. */
+/* Candidate places of a mission, 1..4096. A set of places costs a robot one 32-bit word for every 32 of them. */
 #ifndef QTR_MAX_PLACES
 #ifdef QTR_PROFILE_MCU
 #define QTR_MAX_PLACES 16
@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* Seekers of a mission, 1..255. */
+/* Seekers of a mission, 1..64. */
 #ifndef QTR_MAX_SEEKERS
 #ifdef QTR_PROFILE_MCU
 #define QTR_MAX_SEEKERS 4
@@ -93,11 +93,17 @@
 #if QTR_MAX_CELLS < 1 || QTR_MAX_CELLS > 16777216
 #error "QTR_MAX_CELLS must lie in 1..16777216"
 #endif
-#if QTR_MAX_PLACES < 1 || QTR_MAX_PLACES > 32767
-#error "QTR_MAX_PLACES must lie in 1..32767"
+#if QTR_MAX_PLACES < 1
+#error "QTR_MAX_PLACES must be 1 or more"
 #endif
-#if QTR_MAX_SEEKERS < 1 || QTR_MAX_SEEKERS > 255
-#error "QTR_MAX_SEEKERS must lie in 1..255"
+#if QTR_MAX_PLACES > 4096
+#error "QTR_MAX_PLACES must be at most 4096: a key's length is counted in 8 bits, a travel time's place in 32"
+#endif
+#if QTR_QTABLE_WORDS < 1024
+#error "QTR_QTABLE_WORDS must be 1024 or more"
+#endif
+#if QTR_MAX_SEEKERS < 1 || QTR_MAX_SEEKERS > 64
+#error "QTR_MAX_SEEKERS must lie in 1..64"
 #endif
 #if QTR_MAX_SPOT_SIZE < 1 || QTR_MAX_SPOT_SIZE > 8
 #error "QTR_MAX_SPOT_SIZE must lie in 1..8"

@@ -19,6 +19,7 @@
 
 #define QTR_STAND_DOWN ((uint16_t)0xFFFF) /* as a choice; and as a node, of a seeker that has stood down */
 #define QTR_NOBODY (-1)
+#define QTR_MAX_STARTS 32767 /* so that every node has a number of 16 bits */
 
 enum qtr_rule {
   QTR_RULE_FREE = 0, /* an unvisited place that nobody is bound for, or stand down */
@@ -28,10 +29,10 @@ enum qtr_rule {
 /* What does not change during a game: the board it is played on. Fill the first part, then call qtr_board_init(). */
 typedef struct {
   uint16_t places;                   /* 1..QTR_MAX_PLACES */
-  uint8_t seekers;                   /* 1..QTR_MAX_SEEKERS */
-  uint8_t starts;                    /* distinct start cells, 1..seekers */
-  uint8_t rule;                      /* enum qtr_rule */
-  uint8_t start_of[QTR_MAX_SEEKERS]; /* each seeker's start, 0..starts-1: its node is places + start_of[i] */
+  uint16_t starts;                    /* places that a seeker may start from, 1..QTR_MAX_STARTS */
+  uint8_t seekers;                    /* 1..QTR_MAX_SEEKERS */
+  uint8_t rule;                       /* enum qtr_rule */
+  uint16_t start_of[QTR_MAX_SEEKERS]; /* each seeker's start, 0..starts-1: its node is places + start_of[i] */
   const uint8_t *steps;              /* travel times, 4 bytes little-endian each, a row of `places` for every node,
                                         QTR_NEVER for no way; must outlive the board */
   /* set by qtr_board_init() */

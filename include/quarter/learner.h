@@ -83,6 +83,9 @@ typedef struct {
   qtr_outcome outcome;
 } qtr_trace;
 
+/* Bytes of the largest record of a policy table. */
+#define QTR_RECORD_BYTES (4 * QTR_KEY_WORDS + 4)
+
 /* Large: keep it in static storage. */
 typedef struct {
   const qtr_game *game;
@@ -102,6 +105,7 @@ typedef struct {
   qtr_explorer explorer;
   qtr_candidates candidates;
   qtr_trace trace[QTR_MAX_CHOICES];
+  uint8_t records[QTR_MAX_CHOICES * QTR_RECORD_BYTES]; /* for the export */
   qtr_bound bound;
   qtr_qtable table;
 } qtr_learner;

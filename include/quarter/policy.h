@@ -13,6 +13,7 @@
 #include "quarter/grid.h"
 #include "quarter/joint.h"
 
+#define QTR_POLICY_NO_REGION 0xFFFFu
 #define QTR_POLICY_FORMAT 1 /* raised when the bytes change their meaning; apart from the library's version */
 
 /* Byte offsets in the header. */
@@ -26,12 +27,13 @@ enum {
   QTR_POLICY_ROWS = 18,     /* u16 */
   QTR_POLICY_PLACES = 20,   /* u16 */
   QTR_POLICY_SEEKERS = 22,  /* u8 */
-  QTR_POLICY_STARTS = 23,   /* u8, distinct start cells */
+  QTR_POLICY_ANY_START = 23, /* u8, 1: each region is a start, and a section tells the cells' regions */
   QTR_POLICY_RULE = 24,     /* u8, enum qtr_rule */
   QTR_POLICY_OBJECTIVE = 25, /* u8, enum qtr_objective */
   QTR_POLICY_GRID = 26,     /* u8, enum qtr_grid_encoding */
   QTR_POLICY_CERTIFIED = 27, /* u8, 1: the gap is within what was asked for */
-  QTR_POLICY_KEY_WORDS = 28, /* u8, 3 bytes of 0 after it */
+  QTR_POLICY_KEY_WORDS = 28, /* u8, then a byte of 0 */
+  QTR_POLICY_STARTS = 30,    /* u16, start cells */
   QTR_POLICY_RECORDS = 32,  /* u32 */
   QTR_POLICY_DIGEST = 36,   /* u32, of the nominal game: qtr_policy_digest() */
   QTR_POLICY_PRODUCER = 40, /* u32, library version that wrote it: major << 16 | minor << 8 | patch; then 4 of 0 */
@@ -57,6 +59,7 @@ typedef struct {
   const uint8_t *cells;   /* of the nodes, 4 bytes each */
   const uint8_t *weights; /* of the places, 4 bytes each */
   const uint8_t *record;  /* the first record */
+  const uint8_t *regions; /* of the cells, 2 bytes each; NULL: only the starts themselves are known */
 } qtr_policy;
 
 /* Open the table of `size` bytes at `bytes` (no alignment needed). QTR_OK; QTR_ERR_TRUNCATED, _MAGIC, _FORMAT, _CHECKSUM,
@@ -64,6 +67,11 @@ typedef struct {
  * QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_policy_open(policy, bytes, size) qtr_policy_open_built(policy, bytes, size, QTR_CONFIG_ID)
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id);
+
+/* Put the seekers elsewhere than at the mission's starts: seeker i at cell `starts[i]`. Every robot must be told the same
+ * cells, before its executor is initialised. On a table for any start they may be any free cells, and stand for their
+ * regions; on others they must be start cells of the table. QTR_OK, or QTR_ERR_START with nothing changed. */
+int qtr_policy_deploy(qtr_policy *policy, const qtr_cell *starts);
 
 /* The cell of a node: of place p for p < places, of start s for places + s. */
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node);

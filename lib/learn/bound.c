@@ -193,7 +193,8 @@ static void cut_time(qtr_bound *bound, qtr_steps last_visit) {
   for (unsigned place = 0; place < places; place++)
     for (unsigned target = 0; target < targets; target++)
       if (steps_apart(bound, place, target) < shortest) shortest = steps_apart(bound, place, target);
-  const uint64_t horizon = (uint64_t)last_visit * HORIZON + bound->environment->board.longest + 2;
+  uint64_t horizon = (uint64_t)last_visit * HORIZON + bound->environment->board.longest + 2;
+  if (horizon > QTR_NEVER / 2) horizon = QTR_NEVER / 2;
   uint64_t steps = (horizon + QTR_BOUND_SLOTS - 1) / QTR_BOUND_SLOTS;
   if (steps > shortest) steps = shortest;
   const uint64_t slots = (horizon + steps - 1) / steps;

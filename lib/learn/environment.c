@@ -177,7 +177,7 @@ static void walk_on(const qtr_environment *e, qtr_situation *s, unsigned seeker,
  * is the region and how much of the tour is done. */
 static void make_key_board(qtr_environment *e) {
   e->key_board = e->board;
-  e->key_board.starts = (uint8_t)(nodes_of(e) - e->targets);
+  e->key_board.starts = (uint16_t)(nodes_of(e) - e->targets);
   if (e->regions != NULL) e->key_board.longest = e->regions->count * QTR_MAX_SPOT_SIZE - 1;
   qtr_board_measure_keys(&e->key_board);
 }

@@ -10,7 +10,7 @@ static void find_starts(qtr_game *game) {
   qtr_board *board = &game->board;
   board->starts = 0;
   for (unsigned i = 0; i < board->seekers; i++) {
-    uint8_t start = 0;
+    uint16_t start = 0;
     while (start < board->starts && game->mission->start[game->first_at[start]] != game->mission->start[i]) start++;
     if (start == board->starts) game->first_at[board->starts++] = (uint16_t)i;
     board->start_of[i] = start;

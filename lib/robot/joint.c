@@ -105,7 +105,7 @@ void qtr_board_measure_keys(qtr_board *board) {
 static int check_numbers(const qtr_board *board) {
   if (board->places > QTR_MAX_PLACES || board->seekers > QTR_MAX_SEEKERS) return QTR_ERR_LIMIT;
   if (board->places == 0 || board->seekers == 0 || board->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
-  if (board->starts == 0 || board->starts > board->seekers) return QTR_ERR_ARGUMENT;
+  if (board->starts == 0 || board->starts > QTR_MAX_STARTS) return QTR_ERR_ARGUMENT;
   for (unsigned i = 0; i < board->seekers; i++)
     if (board->start_of[i] >= board->starts) return QTR_ERR_ARGUMENT;
   return QTR_OK;

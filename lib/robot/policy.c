@@ -35,7 +35,7 @@ static int read_dimensions(qtr_policy *policy) {
   policy->grid.encoding = bytes[QTR_POLICY_GRID];
   policy->board.places = (uint16_t)load16_le(bytes + QTR_POLICY_PLACES);
   policy->board.seekers = bytes[QTR_POLICY_SEEKERS];
-  policy->board.starts = bytes[QTR_POLICY_STARTS];
+  policy->board.starts = (uint16_t)load16_le(bytes + QTR_POLICY_STARTS);
   policy->board.rule = bytes[QTR_POLICY_RULE];
   policy->records = load32_le(bytes + QTR_POLICY_RECORDS);
   policy->frame.cell_size_um = load32_le(bytes + QTR_POLICY_CELL_SIZE);
@@ -43,14 +43,14 @@ static int read_dimensions(qtr_policy *policy) {
   policy->frame.origin_y_um = (int64_t)load64_le(bytes + QTR_POLICY_ORIGIN_Y);
   const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
   if (cells == 0 || policy->board.places == 0 || policy->board.seekers == 0) return QTR_ERR_CORRUPT;
-  if (policy->board.starts == 0 || policy->board.starts > policy->board.seekers) return QTR_ERR_CORRUPT;
+  if (policy->board.starts == 0 || policy->board.starts > QTR_MAX_STARTS) return QTR_ERR_CORRUPT;
   if (cells > QTR_MAX_CELLS || policy->board.places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
   return policy->board.seekers > QTR_MAX_SEEKERS ? QTR_ERR_LIMIT : QTR_OK;
 }
 
 static int check_words(const uint8_t *bytes) {
   const bool known = bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER && bytes[QTR_POLICY_OBJECTIVE] <= 1 &&
-                     bytes[QTR_POLICY_CERTIFIED] <= 1 && bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES;
+                     bytes[QTR_POLICY_CERTIFIED] <= 1 && bytes[QTR_POLICY_ANY_START] <= 1 && bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES;
   return known ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
@@ -60,12 +60,13 @@ static int find_sections(qtr_policy *policy, uint32_t size) {
   const uint32_t nodes = (uint32_t)board->places + board->starts;
   const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
   const uint64_t travel = 4u * (uint64_t)nodes * board->places;
-  const uint64_t seats = (board->seekers + 3u) / 4u * 4u;
+  const uint64_t seats = (board->seekers + 1u) / 2u * 4u;
+  const uint64_t regions = policy->bytes[QTR_POLICY_ANY_START] != 0 ? 2u * (uint64_t)cells : 0;
   const uint64_t fixed = QTR_POLICY_HEADER_BYTES + seats + 4u * (uint64_t)nodes + 4u * (uint64_t)board->places + travel +
-                         qtr_grid_size(cells, policy->grid.encoding);
+                         qtr_grid_size(cells, policy->grid.encoding) + regions;
   if (fixed > size) return QTR_ERR_CORRUPT;
   const uint8_t *at = policy->bytes + QTR_POLICY_HEADER_BYTES;
-  memcpy(board->start_of, at, board->seekers);
+  for (unsigned i = 0; i < board->seekers; i++) board->start_of[i] = (uint16_t)load16_le(at + 2 * i);
   policy->cells = at + seats;
   policy->weights = policy->cells + 4u * nodes;
   board->steps = policy->weights + 4u * board->places;
@@ -73,8 +74,10 @@ static int find_sections(qtr_policy *policy, uint32_t size) {
   if (qtr_board_init(board) != QTR_OK) return QTR_ERR_CORRUPT;
   if (board->key_words != policy->bytes[QTR_POLICY_KEY_WORDS]) return QTR_ERR_SELFTEST;
   const uint64_t records = (uint64_t)policy->records * record_bytes(policy);
+  if (fixed + records != size) return QTR_ERR_CORRUPT;
   policy->grid.cells = policy->record + records;
-  return fixed + records == size ? QTR_OK : QTR_ERR_CORRUPT;
+  policy->regions = regions > 0 ? policy->grid.cells + qtr_grid_size(cells, policy->grid.encoding) : NULL;
+  return QTR_OK;
 }
 
 /* So far from the map frame's origin that sums of coordinates might overflow is nowhere. */
@@ -91,6 +94,16 @@ static int check_nodes(const qtr_policy *policy) {
   }
   for (unsigned place = 0; place < policy->board.places; place++)
     if (qtr_policy_weight(policy, place) == 0) return QTR_ERR_CORRUPT;
+  return QTR_OK;
+}
+
+/* Every free cell belongs to a region, and no region is without its start. */
+static int check_regions(const qtr_policy *policy) {
+  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  for (uint32_t cell = 0; policy->regions != NULL && cell < cells; cell++) {
+    const bool is_free = qtr_grid_cost(&policy->grid, (qtr_cell)cell) > 0;
+    if (is_free && load16_le(policy->regions + 2 * cell) >= policy->board.starts) return QTR_ERR_CORRUPT;
+  }
   return QTR_OK;
 }
 
@@ -122,6 +135,7 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
   if (status == QTR_OK) status = read_dimensions(policy);
   if (status == QTR_OK) status = find_sections(policy, size);
   if (status == QTR_OK) status = check_nodes(policy);
+  if (status == QTR_OK) status = check_regions(policy);
   if (status == QTR_OK) status = check_records(policy);
   if (status == QTR_OK && qtr_policy_digest(policy) != load32_le(policy->bytes + QTR_POLICY_DIGEST))
     status = QTR_ERR_SELFTEST;
@@ -129,6 +143,33 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
 }
 
 /* ---- reading ---- */
+
+/* The start that stands for a cell: its region's, or on a table without regions the start at that cell; `starts` if there
+ * is none. */
+static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
+  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  unsigned start = 0;
+  if (cell >= cells || qtr_grid_cost(&policy->grid, cell) == 0) return policy->board.starts;
+  if (policy->regions != NULL) return load16_le(policy->regions + 2 * (uint32_t)cell);
+  while (start < policy->board.starts && qtr_policy_cell(policy, policy->board.places + start) != cell) start++;
+  return start;
+}
+
+/* The mission's own start of a seeker. */
+static unsigned home_of(const qtr_policy *policy, unsigned seeker) {
+  return load16_le(policy->bytes + QTR_POLICY_HEADER_BYTES + 2 * seeker);
+}
+
+int qtr_policy_deploy(qtr_policy *policy, const qtr_cell *starts) {
+  bool home = true;
+  for (unsigned i = 0; i < policy->board.seekers; i++) {
+    home = home && starts[i] == qtr_policy_cell(policy, policy->board.places + home_of(policy, i));
+    if (start_at(policy, starts[i]) >= policy->board.starts) return QTR_ERR_START;
+  }
+  for (unsigned i = 0; i < policy->board.seekers; i++)
+    policy->board.start_of[i] = (uint16_t)(home ? home_of(policy, i) : start_at(policy, starts[i]));
+  return QTR_OK;
+}
 
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
   return (qtr_cell)load32_le(policy->cells + 4 * node);

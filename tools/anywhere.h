@@ -1,0 +1,25 @@
+/* A table that also answers for starts in any region and for any set of places cleared beforehand, so that one table
+ * serves redeployment and a mission resumed. */
+#ifndef QUARTER_TOOLS_ANYWHERE_H
+#define QUARTER_TOOLS_ANYWHERE_H
+
+#include "fault.h"
+#include "options.h"
+#include "quarter/export.h"
+#include "study.h"
+
+#define ANYWHERE_TRIALS 100
+
+/* What the ground says of the table's policies from random starts, against policies learnt for those starts alone. */
+typedef struct {
+  uint64_t games;           /* learnt for the table */
+  uint32_t regions;         /* 0: the mission's starts alone */
+  int trials;
+  double median_loss, worst_loss; /* of the objective, relative; 0.01 is one per cent */
+} anywhere_report;
+
+/* Learn the table that the options ask for and write it to newly allocated `*bytes`, which the caller frees. The study has
+ * been read and learnt for the mission's own starts. Returns the table's size, or 0 with *why set: it would not fit. */
+uint32_t anywhere_learn(study *s, const options *o, uint8_t **bytes, anywhere_report *report, fault *why);
+
+#endif
