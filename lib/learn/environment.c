@@ -146,7 +146,7 @@ static qtr_steps estimate_left(const qtr_environment *e, qtr_cell cell, const qt
 
 static qtr_cell next_cell(const qtr_environment *e, const qtr_grid *grid, qtr_cell cell, unsigned place) {
   const uint8_t *way = e->way + (size_t)place * ((QTR_MAX_CELLS + 3) / 4);
-  return qtr_grid_neighbour(grid, cell, (enum qtr_direction)(way[cell / 4] >> 2 * (cell % 4) & 3u));
+  return qtr_grid_neighbour(grid, cell, (enum qtr_direction)((unsigned)way[cell / 4] >> 2 * (cell % 4) & 3u));
 }
 
 /* Move a seeker on along its true way for some steps. */
