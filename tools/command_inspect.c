@@ -3,7 +3,7 @@
 
 #include "commands.h"
 #include "json.h"
-#include "outfile.h"
+#include "print.h"
 #include "report.h"
 #include "table.h"
 
@@ -42,23 +42,16 @@ static void write_places(json *j, const table *t) {
   json_end_array(j);
 }
 
-static void write_routes(json *j, const table_route *routes, int seekers) {
-  json_array(j, "routes");
-  for (int seeker = 0; seeker < seekers; seeker++) {
-    json_flat_object(j, NULL);
-    json_integer(j, "seeker", seeker);
-    json_array(j, "places");
-    for (int i = 0; i < routes[seeker].places; i++) json_integer(j, NULL, routes[seeker].place[i]);
-    json_end_array(j);
-    json_array(j, "steps");
-    for (int i = 0; i < routes[seeker].places; i++) json_integer(j, NULL, routes[seeker].step[i]);
-    json_end_array(j);
-    json_end_object(j);
-  }
-  json_end_array(j);
-}
+/* A table and its routes. */
+typedef struct {
+  table t;
+  const options *o;
+  table_route routes[QTR_MAX_SEEKERS];
+} inspection;
 
-static void write_json(FILE *out, const table *t, const table_route *routes, const options *o) {
+static void write_json(FILE *out, const void *what) {
+  const inspection *i = what;
+  const table *t = &i->t;
   const table_certificate c = table_certificate_of(t);
   char version[40];
   json j;
@@ -66,7 +59,7 @@ static void write_json(FILE *out, const table *t, const table_route *routes, con
   json_begin(&j, out);
   json_object(&j, NULL);
   json_string(&j, "command", "inspect");
-  json_string(&j, "input", o->input);
+  json_string(&j, "input", i->o->input);
   json_integer(&j, "format", QTR_POLICY_FORMAT);
   json_string(&j, "version", version);
   json_natural(&j, "bytes", t->bytes.size);
@@ -92,13 +85,15 @@ static void write_json(FILE *out, const table *t, const table_route *routes, con
   json_natural(&j, "records", t->policy.records);
   json_integer(&j, "key_bytes", 4 * t->policy.board.key_words);
   write_places(&j, t);
-  write_routes(&j, routes, t->policy.board.seekers);
+  report_json_routes(&j, i->routes, t->policy.board.seekers);
   json_end_object(&j);
 }
 
-static void write_text(FILE *out, const table *t, const table_route *routes, const options *o) {
+static void write_text(FILE *out, const void *what) {
+  const inspection *i = what;
+  const table *t = &i->t;
   const table_certificate c = table_certificate_of(t);
-  fprintf(out, "%s: a sound policy table, %zu bytes, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", o->input,
+  fprintf(out, "%s: a sound policy table, %zu bytes, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", i->o->input,
           t->bytes.size, c.version[0], c.version[1], c.version[2], c.seed);
   fprintf(out, "%d x %d cells, %d places, %d %s; %s rule, %s\n", t->policy.grid.columns, t->policy.grid.rows,
           t->policy.board.places, t->policy.board.seekers, t->policy.board.seekers == 1 ? "robot" : "robots",
@@ -107,30 +102,18 @@ static void write_text(FILE *out, const table *t, const table_route *routes, con
   fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %.6g steps; bound %.6g, gap %.3g%%\n",
           c.certified ? "certified" : "not certified", c.value, c.gamma, c.expected_time, c.bound, 100.0 * c.gap);
   fprintf(out, "%" PRIu32 " states of %d-byte keys\n", t->policy.records, 4 * t->policy.board.key_words);
-  report_routes(out, routes, t->policy.board.seekers);
-}
-
-static int write_out(const table *t, const options *o, fault *why) {
-  static table_route routes[QTR_MAX_SEEKERS];
-  outfile out;
-  if (o->quiet && !o->json) return 0;
-  table_routes(t, routes);
-  if (outfile_open(&out, o->json && o->json_path != NULL ? o->json_path : "-", why) != 0) return -1;
-  if (o->json)
-    write_json(out.file, t, routes, o);
-  else
-    write_text(out.file, t, routes, o);
-  return outfile_commit(&out, why);
+  report_routes(out, i->routes, t->policy.board.seekers);
 }
 
 int command_inspect(int argc, char **argv) {
   static options o;
-  table t;
+  static inspection i = {.o = &o};
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
-  if (table_read(&t, o.input, &why) != 0) return fault_exit(&why);
-  const int status = write_out(&t, &o, &why);
-  table_free(&t);
+  if (table_read(&i.t, o.input, &why) != 0) return fault_exit(&why);
+  table_routes(&i.t, i.routes);
+  const int status = print_report(&o, write_json, write_text, &i, &why);
+  table_free(&i.t);
   return status == 0 ? EXIT_SUCCESS : fault_exit(&why);
 }

@@ -4,7 +4,7 @@
 
 #include "commands.h"
 #include "json.h"
-#include "outfile.h"
+#include "print.h"
 #include "quarter/status.h"
 #include "simulation.h"
 
@@ -33,6 +33,13 @@ static const char help[] =
 
 static const option_set set = {"simulate", " json quiet late lost target clear-all from clear "};
 
+/* What a report is made of. */
+typedef struct {
+  simulation s;
+  table t;
+  const options *o;
+} account;
+
 static bool was_visited(const simulation *s, const options *o, int place) {
   if (qtr_places_has(&o->clear, (unsigned)place)) return true;
   for (int i = 0; i < s->visits; i++)
@@ -56,7 +63,11 @@ static void write_visits(json *j, const simulation *s, const table *t, const opt
   json_end_array(j);
 }
 
-static void write_json(FILE *out, const simulation *s, const table *t, const options *o) {
+static void write_json(FILE *out, const void *what) {
+  const account *a = what;
+  const simulation *s = &a->s;
+  const table *t = &a->t;
+  const options *o = a->o;
   json j;
   json_begin(&j, out);
   json_object(&j, NULL);
@@ -82,7 +93,11 @@ static void write_json(FILE *out, const simulation *s, const table *t, const opt
   json_end_object(&j);
 }
 
-static void write_text(FILE *out, const simulation *s, const table *t, const options *o) {
+static void write_text(FILE *out, const void *what) {
+  const account *a = what;
+  const simulation *s = &a->s;
+  const table *t = &a->t;
+  const options *o = a->o;
   fprintf(out, "%s: %d of %d places visited by step %" PRIu32 ", %d visited again, %" PRIu32 " choices off the table\n",
           o->input, s->visits, t->policy.board.places, s->end, s->duplicates, s->off_table);
   for (int i = 0; i < s->visits; i++)
@@ -95,17 +110,6 @@ static void write_text(FILE *out, const simulation *s, const table *t, const opt
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
     fprintf(out, "discounted value %.6g, expected time %.6g steps\n", s->value, s->expected_time);
-}
-
-static int write_out(const simulation *s, const table *t, const options *o, fault *why) {
-  outfile out;
-  if (o->quiet && !o->json) return 0;
-  if (outfile_open(&out, o->json && o->json_path != NULL ? o->json_path : "-", why) != 0) return -1;
-  if (o->json)
-    write_json(out.file, s, t, o);
-  else
-    write_text(out.file, s, t, o);
-  return outfile_commit(&out, why);
 }
 
 /* Put the seekers where the options say. */
@@ -129,15 +133,14 @@ static int deploy(table *t, const options *o, fault *why) {
 
 int command_simulate(int argc, char **argv) {
   static options o;
-  static simulation s;
-  table t;
+  static account a = {.o = &o};
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
-  if (table_read(&t, o.input, &why) != 0) return fault_exit(&why);
-  int status = deploy(&t, &o, &why);
-  if (status == 0) status = simulation_run(&s, &t, &o, &why);
-  if (status == 0) status = write_out(&s, &t, &o, &why);
-  table_free(&t);
+  if (table_read(&a.t, o.input, &why) != 0) return fault_exit(&why);
+  int status = deploy(&a.t, &o, &why);
+  if (status == 0) status = simulation_run(&a.s, &a.t, &o, &why);
+  if (status == 0) status = print_report(&o, write_json, write_text, &a, &why);
+  table_free(&a.t);
   return status == 0 ? EXIT_SUCCESS : fault_exit(&why);
 }

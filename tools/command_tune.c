@@ -3,7 +3,7 @@
 
 #include "commands.h"
 #include "json.h"
-#include "outfile.h"
+#include "print.h"
 #include "progress.h"
 #include "study.h"
 
@@ -192,7 +192,8 @@ static void write_options(FILE *out, const try *t) {
   if (t->spot_likelihood > 0.0) fprintf(out, " --spot-likelihood %g", t->spot_likelihood);
 }
 
-static void write_text(FILE *out, const options *o) {
+static void write_text(FILE *out, const void *what) {
+  const options *o = what;
   fprintf(out, "%s: bound %.6g for any policy; the best of %d tries, by what they earn on the ground:\n", o->input,
           tries[0].certificate.bound, count);
   fprintf(out, "      gap    objective   Q entries  targets  options\n");
@@ -205,7 +206,8 @@ static void write_text(FILE *out, const options *o) {
   }
 }
 
-static void write_json(FILE *out, const options *o) {
+static void write_json(FILE *out, const void *what) {
+  const options *o = what;
   json j;
   json_begin(&j, out);
   json_object(&j, NULL);
@@ -233,22 +235,11 @@ static void write_json(FILE *out, const options *o) {
   json_end_object(&j);
 }
 
-static int write_out(const options *o, fault *why) {
-  outfile out;
-  if (o->quiet && !o->json) return 0;
-  if (outfile_open(&out, o->json && o->json_path != NULL ? o->json_path : "-", why) != 0) return -1;
-  if (o->json)
-    write_json(out.file, o);
-  else
-    write_text(out.file, o);
-  return outfile_commit(&out, why);
-}
-
 int command_tune(int argc, char **argv) {
   static options o;
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
-  if (tune(&o, &why) != 0 || write_out(&o, &why) != 0) return fault_exit(&why);
+  if (tune(&o, &why) != 0 || print_report(&o, write_json, write_text, &o, &why) != 0) return fault_exit(&why);
   return EXIT_SUCCESS;
 }

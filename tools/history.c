@@ -15,12 +15,7 @@ enum { GAME, FOUND, PLACE, COLUMN, ROW, X, Y, KINDS };
 static const char *const names[KINDS + 1] = {"game", "found", "place", "column", "row", "x", "y", NULL};
 
 typedef struct {
-  const char *text;
-  size_t length;
-} field;
-
-typedef struct {
-  field name; /* empty where the history names no games */
+  text_field name; /* empty where the history names no games */
   int line;
 } game_name;
 
@@ -35,39 +30,20 @@ typedef struct {
   int columns;
   int kind[KINDS]; /* of each column */
   bool has[KINDS];
-  field value[KINDS]; /* of the current row, by kind */
+  text_field value[KINDS]; /* of the current row, by kind */
   qtr_search search;  /* of the current game */
   uint32_t finds;     /* in it */
   game_name *game;    /* all games so far */
   size_t games, room;
 } reading;
 
-static int shown(field it) {
+static int shown(text_field it) {
   return it.length < WORD_SHOWN ? (int)it.length : WORD_SHOWN;
-}
-
-/* ---- fields ---- */
-
-/* The next field of a line; *rest is moved behind its comma, or set to NULL at the end. */
-static field next_field(const char **rest, const char *end) {
-  const char *comma = memchr(*rest, ',', (size_t)(end - *rest));
-  field it = {*rest, (size_t)((comma == NULL ? end : comma) - *rest)};
-  *rest = comma == NULL ? NULL : comma + 1;
-  text_trim(&it.text, &it.length);
-  if (it.length >= 2 && it.text[0] == '"' && it.text[it.length - 1] == '"') {
-    it.text++;
-    it.length -= 2;
-  }
-  return it;
-}
-
-static bool is_word(field it, const char *word) {
-  return it.length == strlen(word) && memcmp(it.text, word, it.length) == 0;
 }
 
 /* ---- the header ---- */
 
-static int unknown_column(reading *r, field it) {
+static int unknown_column(reading *r, text_field it) {
   char word[WORD_SHOWN + 1], known[80];
   snprintf(word, sizeof word, "%.*s", shown(it), it.text);
   const char *meant = near_word(word, names);
@@ -79,9 +55,9 @@ static int unknown_column(reading *r, field it) {
                     known);
 }
 
-static int take_column(reading *r, field it) {
+static int take_column(reading *r, text_field it) {
   int kind = 0;
-  while (kind < KINDS && !is_word(it, names[kind])) kind++;
+  while (kind < KINDS && !text_field_is(it, names[kind])) kind++;
   if (kind == KINDS) return unknown_column(r, it);
   if (r->has[kind])
     return file_fault(r->why, r->path, r->lines.number, 0, "two columns are \"%s\"; drop one of them", names[kind]);
@@ -99,7 +75,7 @@ static bool names_a_place(const reading *r) {
 static int read_header(reading *r) {
   const char *rest = r->lines.line, *const end = rest + r->lines.length;
   while (rest != NULL)
-    if (take_column(r, next_field(&rest, end)) != 0) return -1;
+    if (take_column(r, text_next_field(&rest, end)) != 0) return -1;
   if (r->columns == 1 && r->has[FOUND]) {
     r->kind[0] = PLACE;
     r->has[PLACE] = true;
@@ -117,7 +93,7 @@ static int split_row(reading *r) {
   const char *rest = r->lines.line, *const end = rest + r->lines.length;
   int count = 0;
   while (rest != NULL) {
-    const field next = next_field(&rest, end);
+    const text_field next = text_next_field(&rest, end);
     if (count < r->columns) r->value[r->kind[count]] = next;
     count++;
   }
@@ -134,7 +110,7 @@ static int unknown_place(reading *r, const char *which) {
 }
 
 static int read_number(reading *r, double *value, int kind) {
-  const field it = r->value[kind];
+  const text_field it = r->value[kind];
   const char *wrong = text_number(value, it.text, it.length);
   if (wrong == NULL) return 0;
   return file_fault(r->why, r->path, r->lines.number, 0, "the %s \"%.*s\" %s; write a number", names[kind], shown(it),
@@ -142,7 +118,7 @@ static int read_number(reading *r, double *value, int kind) {
 }
 
 static int place_by_number(reading *r, unsigned *place) {
-  const field it = r->value[PLACE];
+  const text_field it = r->value[PLACE];
   char which[WORD_SHOWN + 16];
   long number;
   if (!text_integer(&number, it.text, it.length))
@@ -189,12 +165,12 @@ static int place_by_point(reading *r, unsigned *place) {
 
 static int read_found(reading *r, bool *found) {
   static const char *const words[] = {"0", "1", "no", "yes", "false", "true"};
-  const field it = r->value[FOUND];
+  const text_field it = r->value[FOUND];
   *found = true;
   if (!r->has[FOUND]) return 0;
   for (int i = 0; i < 6; i++) {
     *found = i % 2 == 1;
-    if (is_word(it, words[i])) return 0;
+    if (text_field_is(it, words[i])) return 0;
   }
   return file_fault(r->why, r->path, r->lines.number, 0,
                     "found is \"%.*s\"; write 1 where the target was found, 0 where the place was searched in vain",
@@ -214,7 +190,7 @@ static int end_game(reading *r) {
                     "leave it out, or say with --detection how often a search sees what is there");
 }
 
-static int begin_game(reading *r, field name) {
+static int begin_game(reading *r, text_field name) {
   if (end_game(r) != 0) return -1;
   if (r->games == r->room) {
     r->room = r->room == 0 ? 256 : 2 * r->room;
@@ -230,12 +206,12 @@ static int begin_game(reading *r, field name) {
 }
 
 static int continue_or_begin_game(reading *r) {
-  const field name = r->value[GAME];
+  const text_field name = r->value[GAME];
   if (!r->has[GAME]) return begin_game(r, name);
   if (name.length == 0)
     return file_fault(r->why, r->path, r->lines.number, 0, "the game has no name; write a number or a word");
   if (r->games == 0) return begin_game(r, name);
-  const field current = r->game[r->games - 1].name;
+  const text_field current = r->game[r->games - 1].name;
   if (name.length == current.length && memcmp(name.text, current.text, name.length) == 0) return 0;
   return begin_game(r, name);
 }

@@ -3,19 +3,18 @@
 #include <inttypes.h>
 
 #include "json.h"
-#include "outfile.h"
+#include "print.h"
 
-static void write_routes(json *j, const report *r) {
+void report_json_routes(json *j, const table_route *routes, int seekers) {
   json_array(j, "routes");
-  for (int seeker = 0; seeker < r->p->in.mission.seekers; seeker++) {
-    const table_route *route = &r->route[seeker];
+  for (int seeker = 0; seeker < seekers; seeker++) {
     json_flat_object(j, NULL);
     json_integer(j, "seeker", seeker);
     json_array(j, "places");
-    for (int i = 0; i < route->places; i++) json_integer(j, NULL, route->place[i]);
+    for (int i = 0; i < routes[seeker].places; i++) json_integer(j, NULL, routes[seeker].place[i]);
     json_end_array(j);
     json_array(j, "steps");
-    for (int i = 0; i < route->places; i++) json_integer(j, NULL, route->step[i]);
+    for (int i = 0; i < routes[seeker].places; i++) json_integer(j, NULL, routes[seeker].step[i]);
     json_end_array(j);
     json_end_object(j);
   }
@@ -31,7 +30,8 @@ static void write_certificate(json *j, const qtr_certificate *c) {
   json_bool(j, "certified", c->certified);
 }
 
-static void write_json(FILE *out, const report *r) {
+static void write_json(FILE *out, const void *what) {
+  const report *r = what;
   const qtr_mission *mission = &r->p->in.mission;
   const qtr_certificate *c = &r->certificate;
   json j;
@@ -62,7 +62,7 @@ static void write_json(FILE *out, const report *r) {
   json_natural(&j, "seed", r->o->seed);
   json_natural(&j, "table_bytes", r->table_bytes);
   json_natural(&j, "table_records", r->table_records);
-  write_routes(&j, r);
+  report_json_routes(&j, r->route, mission->seekers);
   if (r->anywhere) {
     json_flat_object(&j, "anywhere");
     json_natural(&j, "games", r->any.games);
@@ -99,7 +99,8 @@ static void write_verdict(FILE *out, const report *r) {
     fprintf(out, "; discounted value %.6g, bound %.6g (expected time %.6g steps)\n", c->value, c->bound, c->expected_time);
 }
 
-static void write_text(FILE *out, const report *r) {
+static void write_text(FILE *out, const void *what) {
+  const report *r = what;
   const qtr_mission *mission = &r->p->in.mission;
   fprintf(out, "%s: %" PRIu32 " free cells, %d places, %d %s\n", r->o->input, problem_free_cells(r->p), mission->places,
           mission->seekers, mission->seekers == 1 ? "robot" : "robots");
@@ -119,19 +120,6 @@ static void write_text(FILE *out, const report *r) {
   if (r->o->c_output != NULL) fprintf(out, "wrote %s\n", r->o->c_output);
 }
 
-static int write_to(const char *path, const report *r, bool as_json, fault *why) {
-  outfile out;
-  if (outfile_open(&out, path, why) != 0) return -1;
-  if (as_json)
-    write_json(out.file, r);
-  else
-    write_text(out.file, r);
-  return outfile_commit(&out, why);
-}
-
 int report_write(const report *r, fault *why) {
-  const options *o = r->o;
-  if (o->json && o->json_path == NULL) return write_to("-", r, true, why);
-  if (o->json && write_to(o->json_path, r, true, why) != 0) return -1;
-  return o->quiet ? 0 : write_to("-", r, false, why);
+  return print_report(r->o, write_json, write_text, r, why);
 }

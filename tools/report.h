@@ -8,6 +8,7 @@
 
 #include "anywhere.h"
 #include "fault.h"
+#include "json.h"
 #include "options.h"
 #include "problem.h"
 #include "quarter/learner.h"
@@ -32,7 +33,8 @@ typedef struct {
 /* Print or write the report as the options say. 0, or -1 with *why set. */
 int report_write(const report *r, fault *why);
 
-/* "seeker 0: 3 (step 7) -> 5 (12)", a line each. */
+/* The routes as JSON; and as text, "seeker 0: 3 (step 7) -> 5 (12)", a line each. */
+void report_json_routes(json *j, const table_route *routes, int seekers);
 void report_routes(FILE *out, const table_route *route, int seekers);
 
 #endif

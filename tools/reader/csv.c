@@ -13,30 +13,12 @@
 enum column { X, Y, COLUMN, ROW, WEIGHT, COLUMNS };
 static const char *const NAMES[COLUMNS] = {"x", "y", "column", "row", "weight"};
 
-typedef struct {
-  const char *text;
-  size_t length;
-} field;
-
-/* The next field of a line; *rest is moved behind its comma, or set to NULL at the end. */
-static field next_field(const char **rest, const char *end) {
-  const char *comma = memchr(*rest, ',', (size_t)(end - *rest));
-  field it = {*rest, (size_t)((comma == NULL ? end : comma) - *rest)};
-  *rest = comma == NULL ? NULL : comma + 1;
-  text_trim(&it.text, &it.length);
-  if (it.length >= 2 && it.text[0] == '"' && it.text[it.length - 1] == '"') {
-    it.text++;
-    it.length -= 2;
-  }
-  return it;
-}
-
 /* The fields of a line; a number other than FIELDS is a fault. */
-static int split(field fields[FIELDS], const input *in, const text_lines *lines, fault *why) {
+static int split(text_field fields[FIELDS], const input *in, const text_lines *lines, fault *why) {
   const char *rest = lines->line, *end = lines->line + lines->length;
   int count = 0;
   while (rest != NULL) {
-    field next = next_field(&rest, end);
+    text_field next = text_next_field(&rest, end);
     if (count < FIELDS) fields[count] = next;
     count++;
   }
@@ -45,16 +27,16 @@ static int split(field fields[FIELDS], const input *in, const text_lines *lines,
                     count, count == 1 ? "" : "s", FIELDS);
 }
 
-static int column_of(field it) {
+static int column_of(text_field it) {
   for (int i = 0; i < COLUMNS; i++) {
-    if (it.length == strlen(NAMES[i]) && memcmp(it.text, NAMES[i], it.length) == 0) return i;
+    if (text_field_is(it, NAMES[i])) return i;
   }
   return -1;
 }
 
 /* order[i] = which column the i-th field is. */
 static int read_header(int order[FIELDS], const input *in, const text_lines *lines, fault *why) {
-  field fields[FIELDS];
+  text_field fields[FIELDS];
   bool seen[COLUMNS] = {false};
   if (split(fields, in, lines, why)) return -1;
   for (int i = 0; i < FIELDS; i++) {
@@ -69,7 +51,7 @@ static int read_header(int order[FIELDS], const input *in, const text_lines *lin
 }
 
 static int read_place(input *in, const int order[FIELDS], const text_lines *lines, fault *why) {
-  field fields[FIELDS];
+  text_field fields[FIELDS];
   double values[COLUMNS] = {0};
   if (split(fields, in, lines, why)) return -1;
   for (int i = 0; i < FIELDS; i++) {
