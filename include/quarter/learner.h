@@ -33,7 +33,8 @@ enum qtr_setting { QTR_SETTING_CERTIFIED = 0, QTR_SETTING_PAPER = 1 };
 
 typedef struct {
   double gap;    /* relative, 0 or more: stop when bound and objective differ by no more than gap * |objective|. Smaller
-                    takes longer; below 1e-6 the floats of the Q-table may keep it from closing (QTR_CONVERGED). */
+                    takes longer; below 1e-6 the floats of the Q-table may keep it from closing (QTR_CONVERGED). The paper
+                    setting, with 0, goes on learning whatever is proven. */
   uint64_t seed;      /* of the random choices: how the local search shakes, how the paper setting explores */
   uint8_t setting;    /* enum qtr_setting */
   double alpha;       /* paper setting: learning rate, above 0 up to 1; 1 is right where the model is deterministic */

@@ -359,7 +359,7 @@ static enum qtr_learning step_paper(qtr_learner *learner) {
   run_exploring_episode(learner);
   if (learner->episodes == 1) learner->best.score.worth = -HUGE_VAL;
   play_greedily(learner);
-  return is_certified(learner) ? QTR_CERTIFIED : QTR_LEARNING;
+  return learner->config.gap > 0.0 && is_certified(learner) ? QTR_CERTIFIED : QTR_LEARNING;
 }
 
 enum qtr_learning qtr_learner_step(qtr_learner *learner) {
