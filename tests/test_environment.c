@@ -16,8 +16,10 @@ static qtr_game game;
 static qtr_environment ground, aggregate;
 static qtr_regions regions;
 static qtr_learner learner;
+static uint8_t region_times;
 
 void setUp(void) {
+  region_times = QTR_TIMES_STANDING;
   snprintf(case_note, sizeof case_note, "by hand");
 }
 
@@ -32,7 +34,7 @@ static void set_up_game(void) {
 /* The rule that targets are chosen by is the mission's; the ground is played by the free one. */
 static void set_up_aggregate(const qtr_spots_config *spots, uint8_t order, const qtr_regions *by_regions) {
   const qtr_aggregation how = {mission.rule, spots != NULL, spots != NULL ? *spots : (qtr_spots_config){1, 1, 0.0}, order,
-                               by_regions};
+                               by_regions,   region_times};
   game.board.rule = QTR_RULE_FREE;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&aggregate, &game, &how, &field), case_note);
 }
@@ -210,6 +212,25 @@ static void test_times_are_equal_for_all_cells_of_a_region(void) {
   }
 }
 
+/* The paper's first solution (section 5.2.3): one state, but a time for each cell. */
+static void test_true_times_differ_between_the_cells_of_a_region(void) {
+  region_times = QTR_TIMES_TRUE;
+  draw_corridor("S..1....3");
+  mission_crew(&mission, 2);
+  set_up_game();
+  set_up_aggregate(NULL, QTR_SPOT_BEST, &regions);
+  qtr_situation situation;
+  qtr_outcome outcome;
+  qtr_environment_start(&aggregate, &situation);
+  qtr_environment_choose(&aggregate, &situation, 0, 1);
+  qtr_environment_choose(&aggregate, &situation, 1, 0);
+  TEST_ASSERT_EQUAL_UINT32(8, situation.joint.remaining[0]);
+  qtr_environment_pass(&aggregate, &situation, &outcome);
+  /* 3 steps and then the 5 that are left: what is earned on the ground */
+  TEST_ASSERT_DOUBLE_WITHIN(1e-12, pow(0.99, 2) * 2.5 + pow(0.99, 7) * 7.5, outcome.reward);
+  TEST_ASSERT_EQUAL_UINT32(8, situation.now);
+}
+
 /* Seeker 0 takes the place at cell 8 (7 steps from cell 1), seeker 1 the one at cell 3 (2 steps from cell 1). Seeker 1
  * arrives after 2; by then seeker 0 stands on cell 2, still in the first region: 7 steps again. */
 static void test_an_aggregated_episode_by_hand(void) {
@@ -285,6 +306,7 @@ int main(void) {
   RUN_TEST(test_spots_earn_what_their_tours_earn_on_the_ground);
   RUN_TEST(test_the_best_policy_of_the_spots_is_found);
   RUN_TEST(test_times_are_equal_for_all_cells_of_a_region);
+  RUN_TEST(test_true_times_differ_between_the_cells_of_a_region);
   RUN_TEST(test_an_aggregated_episode_by_hand);
   RUN_TEST(test_cells_of_one_region_share_their_key_and_others_do_not);
   RUN_TEST(test_certified_setting_refuses_regions);

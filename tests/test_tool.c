@@ -103,6 +103,69 @@ static void test_a_survivor_takes_over_what_a_lost_robot_leaves(void) {
   TEST_ASSERT_TRUE(json_is(result.out, "unvisited", "[]"));
 }
 
+/* A number of a CSV text, rows and columns counted from 0. */
+static double curve_field(const char *text, int row, int column) {
+  for (; row > 0; row--) text = strchr(text, '\n') + 1;
+  for (; column > 0; column--) text = strchr(text, ',') + 1;
+  return strtod(text, NULL);
+}
+
+static void test_a_curve_tells_how_the_learning_went(void) {
+  static char text[1 << 16];
+  run_tool(&result, "learn small.txt --robots 2 --learner paper --gap 0 --episodes 500 --curve c.csv --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  read_text("c.csv", text, sizeof text);
+  TEST_ASSERT_EQUAL_INT(0, strncmp(text, "episode,max_q,value,expected_time,bound,updates,q_entries\n", 57));
+  int rows = 0;
+  for (const char *at = text; (at = strchr(at, '\n')) != NULL; at++) rows++;
+  TEST_ASSERT_EQUAL_DOUBLE(1.0, curve_field(text, 1, 0));
+  TEST_ASSERT_EQUAL_DOUBLE(500.0, curve_field(text, rows - 1, 0));
+  for (int row = 2; row < rows; row++) {
+    TEST_ASSERT_TRUE(curve_field(text, row, 0) > curve_field(text, row - 1, 0));
+    TEST_ASSERT_TRUE(curve_field(text, row, 0) <= 1.05 * curve_field(text, row - 1, 0) + 1.0);
+  }
+  TEST_ASSERT_DOUBLE_WITHIN(1e-6, json_value(result.out, "max_q"), curve_field(text, rows - 1, 1));
+  TEST_ASSERT_DOUBLE_WITHIN(1e-6, json_value(result.out, "value"), curve_field(text, rows - 1, 2));
+  TEST_ASSERT_EQUAL_DOUBLE(json_value(result.out, "q_entries"), curve_field(text, rows - 1, 6));
+}
+
+/* MaxQ of the certified setting is a bound on what can be earned, also when no game was needed to prove it. */
+static void test_the_certified_settings_max_q_is_its_bound(void) {
+  run_tool(&result, "learn small.txt --robots 2 --json");
+  TEST_ASSERT_TRUE(json_value(result.out, "max_q") >= json_value(result.out, "value") * (1 - 1e-9));
+  TEST_ASSERT_DOUBLE_WITHIN(1e-4, json_value(result.out, "value"), json_value(result.out, "max_q"));
+}
+
+/* Section 5.2.3: MaxQ never falls while times are alike for all of a region, and keeps on going to and fro where they
+ * are each cell's own. */
+static int count_falls(const char *times) {
+  static char text[1 << 18];
+  int falls = 0;
+  run_tool(&result,
+           "learn '%s/demo/missions/paper/fig43d.txt' --robots 2 --learner paper --gap 0 --episodes 3000 --aggregate "
+           "regions --explore epsilon:0.7 --region-times %s --curve c.csv -q",
+           QUARTER_SOURCE_DIR, times);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  read_text("c.csv", text, sizeof text);
+  const char *line = strchr(text, '\n') + 1;
+  for (const char *next; (next = strchr(line, '\n')) != NULL && next[1] != '\0'; line = next + 1)
+    falls += curve_field(next + 1, 0, 1) < curve_field(line, 0, 1) - 1e-6;
+  return falls;
+}
+
+static void test_times_from_the_representative_end_the_oscillation(void) {
+  TEST_ASSERT_EQUAL_INT(0, count_falls("representative"));
+  TEST_ASSERT_GREATER_THAN_INT(10, count_falls("true"));
+}
+
+static void test_drawing_regions_tells_how_many_and_how_far(void) {
+  run_tool(&result, "draw '%s/demo/missions/paper/fig53.txt' --regions -o r.svg --json", QUARTER_SOURCE_DIR);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  TEST_ASSERT_EQUAL_DOUBLE(657.0, json_value(result.out, "cells"));
+  TEST_ASSERT_TRUE(json_value(result.out, "regions") <= 43.0);
+  TEST_ASSERT_TRUE(json_value(result.out, "mean_distance") > 1.0);
+}
+
 static void test_pictures_of_missions_and_tables(void) {
   run_tool(&result, "learn small.txt --robots 2 -o t.qtr");
   run_tool(&result, "draw t.qtr -o t.svg");
@@ -338,6 +401,10 @@ int main(void) {
   RUN_TEST(test_progress_and_report_keep_quiet_in_a_pipe);
   RUN_TEST(test_a_target_ends_the_game_when_it_is_found);
   RUN_TEST(test_a_survivor_takes_over_what_a_lost_robot_leaves);
+  RUN_TEST(test_a_curve_tells_how_the_learning_went);
+  RUN_TEST(test_the_certified_settings_max_q_is_its_bound);
+  RUN_TEST(test_times_from_the_representative_end_the_oscillation);
+  RUN_TEST(test_drawing_regions_tells_how_many_and_how_far);
   RUN_TEST(test_pictures_of_missions_and_tables);
   RUN_TEST(test_interrupting_still_writes_the_best_policy);
   RUN_TEST(test_unreachable_places_are_named_or_left_out);

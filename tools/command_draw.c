@@ -5,7 +5,9 @@
 
 #include "commands.h"
 #include "draw_svg.h"
+#include "json.h"
 #include "outfile.h"
+#include "print.h"
 #include "problem.h"
 #include "quarter/regions.h"
 #include "quarter/status.h"
@@ -23,11 +25,12 @@ static const char help[] =
     "      --robots K, --cell-size M, --skip-unreachable     as in 'quarter learn', for inputs\n"
     "      --regions            draw the borders of the map's regions\n"
     "      --region-size N --region-diameter D     cells of a region, and steps between any two (default 25, 15)\n"
+    "      --json[=FILE]        what was drawn, in figures\n"
     "  -q, --quiet              say nothing\n"
     "\n"
     "Exit status: 0 done; 2 bad input, nothing written.\n";
 
-static const option_set set = {"draw", " output quiet robots cell-size skip-unreachable regions region-size region-diameter "};
+static const option_set set = {"draw", " output json quiet robots cell-size skip-unreachable regions region-size region-diameter "};
 
 #define LINES_MOST 8
 #define LINE_SIZE 96
@@ -44,6 +47,9 @@ typedef struct {
   qtr_cell *trail[QTR_MAX_SEEKERS];
   char text[LINES_MOST][LINE_SIZE];
   const char *line[LINES_MOST];
+  uint32_t free_cells;
+  uint32_t regions;      /* 0: none drawn */
+  double mean_distance;  /* steps of a free cell from its region's representative */
 } sheet;
 
 static sheet picture;
@@ -177,11 +183,43 @@ static int add_regions(sheet *s, const options *o, fault *why) {
     return fault_set(why, "%s: too many regions for a picture: %" PRIu32 "; allow larger ones", o->input, divided.count);
   for (size_t cell = 0; cell < cells; cell++) s->region[cell] = (uint16_t)divided.of[cell];
   s->d.region = s->region;
+  s->regions = divided.count;
+  for (size_t cell = 0; cell < cells; cell++) {
+    if (divided.of[cell] == QTR_NO_REGION) continue;
+    s->free_cells++;
+    s->mean_distance += dividing.error[cell];
+  }
+  if (s->free_cells > 0) s->mean_distance /= s->free_cells;
   add_line(s, "regions\t%" PRIu32, divided.count);
+  add_line(s, "to representative\t%.3g steps", s->mean_distance);
   return 0;
 }
 
 /* ---- the command ---- */
+
+static void write_json(FILE *out, const void *what) {
+  const sheet *s = what;
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "command", "draw");
+  json_string(&j, "title", s->d.title);
+  json_integer(&j, "columns", s->d.columns);
+  json_integer(&j, "rows", s->d.rows);
+  json_integer(&j, "places", s->d.places);
+  json_integer(&j, "robots", s->d.seekers);
+  if (s->regions > 0) {
+    json_natural(&j, "cells", s->free_cells);
+    json_natural(&j, "regions", s->regions);
+    json_number(&j, "mean_distance", s->mean_distance);
+  }
+  json_end_object(&j);
+}
+
+static void write_nothing(FILE *out, const void *what) {
+  (void)out;
+  (void)what;
+}
 
 static int write_picture(const sheet *s, const options *o, fault *why) {
   outfile out;
@@ -212,7 +250,8 @@ static int draw(const options *o, fault *why) {
   }
   picture.d.title = drawn.in.name[0] != '\0' ? drawn.in.name : base_name(o->input);
   if (status == 0 && o->regions) status = add_regions(&picture, o, why);
-  return status == 0 ? write_picture(&picture, o, why) : -1;
+  if (status == 0) status = write_picture(&picture, o, why);
+  return status == 0 ? print_report(o, write_json, write_nothing, &picture, why) : -1;
 }
 
 int command_draw(int argc, char **argv) {

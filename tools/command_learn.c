@@ -5,6 +5,7 @@
 
 #include "carray.h"
 #include "commands.h"
+#include "curve.h"
 #include "outfile.h"
 #include "progress.h"
 #include "quarter/export.h"
@@ -44,17 +45,20 @@ static const char help[] =
     "      --spot-order ORDER   inside a spot: best (the default) or nearest first\n"
     "      --spot-likelihood W  0 (the default) or more: likely places keep away from unlikely ones\n"
     "      --region-size N --region-diameter D cells of a region, and steps between any two of them (default 25, 15)\n"
+    "      --region-times WHAT  representative (the default) or true: the paper's first, oscillating way, to show it\n"
     "      --starts any         one table for starts in any region of the map: seekers are put elsewhere at run time\n"
     "      --cleared any        one table for any set of places cleared beforehand: a mission resumed\n"
     "      --table-limit MB     refuse to make a larger table (default 4)\n"
+    "      --curve FILE         write MaxQ, the best value, the bound and the Q entries, game by game, as CSV\n"
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no progress, no report but JSON\n"
     "\n"
     "Exit status: 0 done, certified or not; 2 bad input, nothing written; 130 ended by Ctrl-C, best policy written.\n";
 
 static const option_set set = {"learn",
-                               " output c json quiet robots objective rule gamma cell-size skip-unreachable gap"
+                               " output c curve json quiet robots objective rule gamma cell-size skip-unreachable gap"
                                " time-limit episodes seed learner explore alpha aggregate region-size region-diameter"
+                               " region-times"
                                " spot-size spot-diameter spot-order spot-likelihood starts cleared table-limit "};
 
 static study learnt;
@@ -84,8 +88,8 @@ static void catch_interrupts(void) {
 
 /* Whether a file can be written there, found out before the search and not after it. */
 static int check_outputs(const options *o, fault *why) {
-  const char *paths[] = {o->output, o->c_output, o->json_path};
-  for (int i = 0; i < 3; i++) {
+  const char *paths[] = {o->output, o->c_output, o->json_path, o->curve};
+  for (int i = 0; i < 4; i++) {
     outfile out;
     if (paths[i] == NULL) continue;
     if (outfile_open(&out, paths[i], why) != 0) return -1;
@@ -103,18 +107,22 @@ static const char *find_end(enum qtr_learning learning, const options *o, uint64
   return o->episodes > 0 && episodes >= o->episodes ? "episodes" : NULL;
 }
 
-static void search(report *r, const options *o) {
+static int search(report *r, const options *o, fault *why) {
   progress shown;
+  curve course;
   const double begin = clock_seconds();
+  if (curve_begin(&course, o->curve, why) != 0) return -1;
   progress_begin(&shown, o->quiet, o->time_limit, o->gap);
   while (r->ended == NULL) {
     const enum qtr_learning learning = qtr_learner_step(&learnt.learner);
     const double seconds = clock_seconds() - begin;
     qtr_learner_certificate(&learnt.learner, &r->certificate);
     progress_show(&shown, &r->certificate, seconds);
+    curve_note(&course, &learnt.learner, &r->certificate);
     r->ended = find_end(learning, o, r->certificate.episodes, seconds);
   }
   progress_end(&shown);
+  return curve_end(&course, &learnt.learner, &r->certificate, why);
 }
 
 static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bool as_c, fault *why) {
@@ -166,7 +174,7 @@ static int learn(const options *o, report *r, fault *why) {
   if (study_begin(&learnt, o, why) != 0) return -1;
   catch_interrupts();
   *r = (report){.command = "learn", .o = o, .p = &learnt.p};
-  search(r, o);
+  if (search(r, o, why) != 0) return -1;
   r->seconds = clock_seconds() - begin + learnt.p.travel_seconds;
   r->regions = o->by_regions ? learnt.regions.count : 0;
   r->spots = o->by_spots ? learnt.aggregate.targets : 0;

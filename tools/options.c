@@ -69,6 +69,12 @@ static int take_c(options *o, const char *name, const char *value, fault *why) {
   return 0;
 }
 
+static int take_curve(options *o, const char *name, const char *value, fault *why) {
+  if (value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", name);
+  o->curve = value;
+  return 0;
+}
+
 static int take_json(options *o, const char *name, const char *value, fault *why) {
   (void)name;
   (void)why;
@@ -176,6 +182,10 @@ static int take_region_size(options *o, const char *name, const char *value, fau
 
 static int take_region_diameter(options *o, const char *name, const char *value, fault *why) {
   return take_int(&o->region_diameter, name, value, 1, QTR_MAX_REGION_DIAMETER, why);
+}
+
+static int take_region_times(options *o, const char *name, const char *value, fault *why) {
+  return take_word(&o->region_times, name, value, "representative", "true", why);
 }
 
 static int take_spot_size(options *o, const char *name, const char *value, fault *why) {
@@ -340,6 +350,7 @@ static int take_regions(options *o, const char *name, const char *value, fault *
 
 static const option_row rows[] = {{"output", required_argument, 'o', take_output},
                                   {"c", required_argument, 0, take_c},
+                                  {"curve", required_argument, 0, take_curve},
                                   {"json", optional_argument, 0, take_json},
                                   {"quiet", no_argument, 'q', take_quiet},
                                   {"help", no_argument, 'h', take_help},
@@ -355,6 +366,7 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"aggregate", required_argument, 0, take_aggregate},
                                   {"region-size", required_argument, 0, take_region_size},
                                   {"region-diameter", required_argument, 0, take_region_diameter},
+                                  {"region-times", required_argument, 0, take_region_times},
                                   {"spot-size", required_argument, 0, take_spot_size},
                                   {"spot-diameter", required_argument, 0, take_spot_diameter},
                                   {"spot-order", required_argument, 0, take_spot_order},

@@ -27,6 +27,7 @@ typedef struct {
   const char *input;
   const char *output;    /* -o; NULL: none */
   const char *c_output;  /* --c; NULL: none */
+  const char *curve;     /* CSV of the learning's progress; NULL: none */
   bool json;             /* print JSON instead of text */
   const char *json_path; /* write it here; NULL: standard output */
   bool quiet;
@@ -43,7 +44,7 @@ typedef struct {
   qtr_exploration_plan exploration;
   double alpha;
   bool by_regions, by_spots; /* aggregation */
-  int region_size, region_diameter;
+  int region_size, region_diameter, region_times; /* enum qtr_region_times */
   int spot_size, spot_diameter, spot_order; /* enum qtr_spot_order */
   double spot_likelihood;
   bool any_starts, any_cleared;

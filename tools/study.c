@@ -22,7 +22,8 @@ static int make_aggregate(study *s, const options *o, fault *why) {
                                .by_spots = o->by_spots,
                                .spots = {(uint8_t)o->spot_size, (qtr_steps)o->spot_diameter, o->spot_likelihood},
                                .spot_order = (uint8_t)o->spot_order,
-                               .regions = o->by_regions ? &s->regions : NULL};
+                               .regions = o->by_regions ? &s->regions : NULL,
+                               .region_times = (uint8_t)o->region_times};
   if (o->by_regions && study_divide(s, o, why) != 0) return -1;
   s->p.game.board.rule = QTR_RULE_FREE;
   const int status = qtr_environment_init(&s->aggregate, &s->p.game, &how, &s->p.field);

@@ -19,12 +19,19 @@
 #include "quarter/regions.h"
 #include "quarter/spots.h"
 
+/* Where the travel times of a seeker seen in a region are taken from. */
+enum qtr_region_times {
+  QTR_TIMES_STANDING = 0, /* the region's representative: alike for all of the region (section 5.2.3) */
+  QTR_TIMES_TRUE = 1 /* the seeker's own cell: the section's first solution, whose Q may go to and fro. To show just that */
+};
+
 typedef struct {
   uint8_t rule; /* enum qtr_rule, by which targets are chosen */
   bool by_spots;
   qtr_spots_config spots;
   uint8_t spot_order;         /* enum qtr_spot_order */
   const qtr_regions *regions; /* NULL: cells are exact. Must outlive the environment */
+  uint8_t region_times;       /* enum qtr_region_times */
 } qtr_aggregation;
 
 /* What a seeker does that has come to a place: the rest of the target's tour, which depends on nothing else. */
@@ -39,6 +46,7 @@ typedef struct {
 typedef struct {
   const qtr_game *game;
   const qtr_regions *regions;
+  bool estimating; /* times are the representatives' */
   qtr_board board;     /* the joint game over the targets */
   qtr_board key_board; /* as it is seen in keys */
   uint16_t targets;

@@ -61,7 +61,8 @@ typedef struct {
   bool certified;        /* gap is within the config's */
   uint64_t episodes;     /* games played, those given up early included */
   uint64_t updates;      /* of Q entries that changed them */
-  double max_q;          /* largest Q of the first state before the last episode (MaxQ of Fig. 4.5) */
+  double max_q;          /* largest Q of the first state, in units of reward (MaxQ of Fig. 4.5); certified: its least
+                            so far, a bound on every policy of what is learnt on */
   uint32_t price_steps;  /* subgradient steps of the bound */
 } qtr_certificate;
 
@@ -96,7 +97,7 @@ typedef struct {
   qtr_play best;
   double upper;        /* certified: the largest Q of the first state; paper: the prices' bound */
   double ground_upper; /* the bound on the game itself, from its prices */
-  double max_q; /* the largest Q of the first state before the last episode */
+  double max_q; /* paper: the largest Q of the first state after the last episode */
   bool pricing; /* the bound is still being tuned */
   bool aggregate_priced; /* the ground's prices are done with, and the aggregate's in force */
   uint64_t episodes, updates;

@@ -217,6 +217,7 @@ static int make_targets(qtr_environment *e, const qtr_aggregation *how) {
 int qtr_environment_init(qtr_environment *e, const qtr_game *game, const qtr_aggregation *how, qtr_field *field) {
   e->game = game;
   e->regions = how != NULL ? how->regions : NULL;
+  e->estimating = e->regions != NULL && how->region_times == QTR_TIMES_STANDING;
   int status = make_targets(e, how);
   if (status == QTR_OK) status = make_board(e, how != NULL ? how->rule : game->board.rule);
   if (status != QTR_OK) return status;
@@ -262,7 +263,7 @@ double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int se
   s->stage[seeker] = 0;
   if (!done)
     s->joint.remaining[seeker] =
-        e->regions != NULL ? estimate_left(e, s->cell[seeker], &e->tour[first], 0) : exact;
+        e->estimating ? estimate_left(e, s->cell[seeker], &e->tour[first], 0) : exact;
   /* With regions a spot counts when it is done. */
   if (!here || (e->regions != NULL && !done)) return 0.0;
   s->unvisited -= e->game->probability[first];
@@ -311,7 +312,8 @@ static void settle_seeker(const qtr_environment *e, qtr_situation *s, unsigned s
     s->carried[seeker] = 0;
   } else if (e->regions != NULL) {
     walk_on(e, s, seeker, passed);
-    s->joint.remaining[seeker] = estimate_left(e, s->cell[seeker], &e->tour[s->at[seeker]], s->stage[seeker]);
+    if (e->estimating)
+      s->joint.remaining[seeker] = estimate_left(e, s->cell[seeker], &e->tour[s->at[seeker]], s->stage[seeker]);
   }
 }
 

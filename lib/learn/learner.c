@@ -176,7 +176,6 @@ static void run_certified_episode(qtr_learner *learner) {
     const unsigned picked = greedy(&learner->candidates);
     const qtr_trace *trace = &learner->trace[learner->play.choices];
     note_choice(learner, picked);
-    if (learner->play.choices == 0) learner->max_q = trace->q;
     if (earned + discount * trace->q <= hopeless) {
       value = trace->q;
       break;
@@ -211,7 +210,6 @@ static void run_exploring_episode(qtr_learner *learner) {
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     list_candidates(learner, &state, seeker);
     const double largest = learner->candidates.q[greedy(&learner->candidates)];
-    if (learner->play.choices == 0) learner->max_q = largest;
     back_up_last(learner, largest);
     const unsigned picked = qtr_explorer_pick(&learner->explorer, learner->candidates.q, learner->candidates.count);
     note_choice(learner, picked);
@@ -229,7 +227,9 @@ static void play_greedily(qtr_learner *learner) {
   qtr_environment_start(learner->environment, &state);
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     list_candidates(learner, &state, seeker);
-    act(learner, &state, seeker, learner->candidates.choice[greedy(&learner->candidates)]);
+    const unsigned picked = greedy(&learner->candidates);
+    if (learner->play.choices == 0) learner->max_q = learner->candidates.q[picked];
+    act(learner, &state, seeker, learner->candidates.choice[picked]);
   }
   keep_if_best(learner);
 }
@@ -386,7 +386,7 @@ void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certif
   certificate->certified = is_certified(learner);
   certificate->episodes = learner->episodes;
   certificate->updates = learner->updates;
-  certificate->max_q = learner->max_q;
+  certificate->max_q = is_paper(learner) ? learner->max_q : learner->upper;
   certificate->price_steps = learner->bound.iterations;
 }
 
