@@ -225,6 +225,26 @@ static void test_drawing_without_seekers_or_places_is_a_map(void) {
   assert_well_formed();
 }
 
+static void test_regions_are_dotted_where_their_representatives_are(void) {
+  static const qtr_cell representative[2] = {COLUMNS + 1, COLUMNS + 4};
+  uint16_t region[COLUMNS * ROWS];
+  for (int c = 0; c < COLUMNS * ROWS; c++) region[c] = c % COLUMNS >= 3;
+  d.region = region;
+  d.regions = 2;
+  d.representative = representative;
+  draw();
+  TEST_ASSERT_EQUAL_INT(2, count("r=\"0.16\""));
+}
+
+static void test_places_of_a_spot_wear_one_letter(void) {
+  uint16_t spot[QTR_MAX_PLACES];
+  for (int p = 0; p < QTR_MAX_PLACES; p++) spot[p] = p == 0 ? 1 : 0;
+  d.spot = spot;
+  draw();
+  TEST_ASSERT_EQUAL_INT(1, count(">B</text>"));
+  TEST_ASSERT_EQUAL_INT(d.places - 1, count(">A</text>"));
+}
+
 static void test_metres_give_a_scale_and_regions_their_borders(void) {
   uint16_t region[COLUMNS * ROWS];
   for (int c = 0; c < COLUMNS * ROWS; c++) region[c] = c % COLUMNS < 3;
@@ -281,6 +301,8 @@ int main(void) {
   RUN_TEST(test_large_map_stays_a_small_file);
   RUN_TEST(test_drawing_without_seekers_or_places_is_a_map);
   RUN_TEST(test_metres_give_a_scale_and_regions_their_borders);
+  RUN_TEST(test_regions_are_dotted_where_their_representatives_are);
+  RUN_TEST(test_places_of_a_spot_wear_one_letter);
   RUN_TEST(test_many_seekers_have_colours_and_lanes_of_their_own);
   RUN_TEST(test_cells_off_the_map_are_refused);
   return UNITY_END();

@@ -10,6 +10,7 @@
 #include "print.h"
 #include "problem.h"
 #include "quarter/regions.h"
+#include "quarter/spots.h"
 #include "quarter/status.h"
 #include "table.h"
 
@@ -17,6 +18,7 @@ static const char help[] =
     "quarter draw mission.qtr -o mission.svg            the map, the places, each seeker's territory and route\n"
     "quarter draw mission.yaml -o map.svg               the map, places and starts alone, before learning\n"
     "quarter draw map.txt --regions -o regions.svg      the regions that the map divides into\n"
+    "quarter draw map.txt --spots -o spots.svg          the hiding spots that its places form\n"
     "\n"
     "Places are sized by likelihood and numbered in the order of their seeker's route; a browser shows each one's own\n"
     "number on pointing at it. '-o -' is standard output.\n"
@@ -25,12 +27,15 @@ static const char help[] =
     "      --robots K, --cell-size M, --skip-unreachable     as in 'quarter learn', for inputs\n"
     "      --regions            draw the borders of the map's regions\n"
     "      --region-size N --region-diameter D     cells of a region, and steps between any two (default 25, 15)\n"
+    "      --spots              mark the places of each hiding spot alike, for inputs\n"
+    "      --spot-size N --spot-diameter D --spot-likelihood W     as in 'quarter learn'\n"
     "      --json[=FILE]        what was drawn, in figures\n"
     "  -q, --quiet              say nothing\n"
     "\n"
     "Exit status: 0 done; 2 bad input, nothing written.\n";
 
-static const option_set set = {"draw", " output json quiet robots cell-size skip-unreachable regions region-size region-diameter "};
+static const option_set set = {"draw", " output json quiet robots cell-size skip-unreachable regions region-size"
+                                       " region-diameter spots spot-size spot-diameter spot-likelihood "};
 
 #define LINES_MOST 8
 #define LINE_SIZE 96
@@ -47,9 +52,8 @@ typedef struct {
   qtr_cell *trail[QTR_MAX_SEEKERS];
   char text[LINES_MOST][LINE_SIZE];
   const char *line[LINES_MOST];
-  uint32_t free_cells;
-  uint32_t regions;      /* 0: none drawn */
-  double mean_distance;  /* steps of a free cell from its region's representative */
+  uint32_t free_cells;  /* where regions are drawn */
+  double mean_distance; /* steps of a free cell from its region's representative */
 } sheet;
 
 static sheet picture;
@@ -57,6 +61,7 @@ static problem drawn;
 static qtr_field way;
 static qtr_regions divided;
 static qtr_regions_scratch dividing;
+static qtr_spots grouped, grouping;
 
 static void __attribute__((format(printf, 2, 3))) add_line(sheet *s, const char *format, ...) {
   va_list arguments;
@@ -170,7 +175,7 @@ static int from_table(sheet *s, const table *t, fault *why) {
   return 0;
 }
 
-/* ---- regions ---- */
+/* ---- regions and spots ---- */
 
 static int add_regions(sheet *s, const options *o, fault *why) {
   const qtr_regions_config config = {(uint32_t)o->region_size, (uint32_t)o->region_diameter};
@@ -183,7 +188,8 @@ static int add_regions(sheet *s, const options *o, fault *why) {
     return fault_set(why, "%s: too many regions for a picture: %" PRIu32 "; allow larger ones", o->input, divided.count);
   for (size_t cell = 0; cell < cells; cell++) s->region[cell] = (uint16_t)divided.of[cell];
   s->d.region = s->region;
-  s->regions = divided.count;
+  s->d.regions = divided.count;
+  s->d.representative = divided.representative;
   for (size_t cell = 0; cell < cells; cell++) {
     if (divided.of[cell] == QTR_NO_REGION) continue;
     s->free_cells++;
@@ -192,6 +198,19 @@ static int add_regions(sheet *s, const options *o, fault *why) {
   if (s->free_cells > 0) s->mean_distance /= s->free_cells;
   add_line(s, "regions\t%" PRIu32, divided.count);
   add_line(s, "to representative\t%.3g steps", s->mean_distance);
+  return 0;
+}
+
+static int add_spots(sheet *s, const options *o, fault *why) {
+  const qtr_game *game = &drawn.game;
+  const qtr_spots_config config = {(uint8_t)o->spot_size, (qtr_steps)o->spot_diameter, o->spot_likelihood};
+  const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, NULL, 0};
+  if (game->board.places == 0)
+    return fault_set(why, "%s: --spots goes with a mission or a drawing, not with a policy table", o->input);
+  const int status = qtr_spots_build(&grouped, &ground, &config, &grouping);
+  if (status != QTR_OK) return fault_set(why, "%s: its spots: %s", o->input, qtr_strerror(status));
+  s->d.spot = grouped.spot_of;
+  add_line(s, "spots\t%d", grouped.count);
   return 0;
 }
 
@@ -208,9 +227,10 @@ static void write_json(FILE *out, const void *what) {
   json_integer(&j, "rows", s->d.rows);
   json_integer(&j, "places", s->d.places);
   json_integer(&j, "robots", s->d.seekers);
-  if (s->regions > 0) {
+  if (s->d.spot != NULL) json_integer(&j, "spots", grouped.count);
+  if (s->d.regions > 0) {
     json_natural(&j, "cells", s->free_cells);
-    json_natural(&j, "regions", s->regions);
+    json_natural(&j, "regions", s->d.regions);
     json_number(&j, "mean_distance", s->mean_distance);
   }
   json_end_object(&j);
@@ -250,6 +270,7 @@ static int draw(const options *o, fault *why) {
   }
   picture.d.title = drawn.in.name[0] != '\0' ? drawn.in.name : base_name(o->input);
   if (status == 0 && o->regions) status = add_regions(&picture, o, why);
+  if (status == 0 && o->spots) status = add_spots(&picture, o, why);
   if (status == 0) status = write_picture(&picture, o, why);
   return status == 0 ? print_report(o, write_json, write_nothing, &picture, why) : -1;
 }

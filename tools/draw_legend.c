@@ -6,7 +6,9 @@
 enum { SEEKER_ROW = 24, LINE_ROW = 19, SIZES_ROW = 52, KEY_ROW = 28, GAP = 14 };
 
 static void seeker_text(char text[80], const drawing_seeker *s) {
-  if (s->places == 0)
+  if (s->places == 0 && s->trail == NULL)
+    snprintf(text, 80, "starts here");
+  else if (s->places == 0)
     snprintf(text, 80, "no place: stands down");
   else
     snprintf(text, 80, "%d place%s, last at step %lu", s->places, s->places == 1 ? "" : "s",

@@ -171,6 +171,17 @@ static void draw_region_borders(const draw_page *page) {
   fputs("\"/>\n", page->out);
 }
 
+static void draw_representatives(const draw_page *page) {
+  const drawing *d = page->d;
+  if (d->region == NULL || d->representative == NULL) return;
+  fprintf(page->out, "<g class=\"representatives\" fill=\"%s\" shape-rendering=\"auto\">\n", DRAW_MUTED);
+  for (uint32_t region = 0; region < d->regions; region++)
+    fprintf(page->out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"0.16\"/>\n",
+            d->representative[region] % d->columns - page->left + 0.5,
+            d->representative[region] / d->columns - page->top + 0.5);
+  fputs("</g>\n", page->out);
+}
+
 void draw_map(draw_page *page) {
   fprintf(page->out, "<g id=\"map\" transform=\"translate(%.2f %.2f)\">\n", page->x, page->y);
   fprintf(page->out, "<rect width=\"%.2f\" height=\"%.2f\" fill=\"%s\"/>\n", page->width, page->height, DRAW_GROUND);
@@ -180,6 +191,7 @@ void draw_map(draw_page *page) {
   draw_grid_lines(page);
   draw_ground(page);
   draw_region_borders(page);
+  draw_representatives(page);
   fprintf(page->out,
           "</g>\n<rect width=\"%.2f\" height=\"%.2f\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\"/>\n</g>\n",
           page->width, page->height, DRAW_WALL);

@@ -71,11 +71,26 @@ static void draw_order(const draw_page *page, int place, draw_point at, double r
             at.x + 0.75 * radius, at.y - 0.75 * radius, DRAW_INK, number);
 }
 
+/* Whose colour a place wears: its spot's, its visitor's, or nobody's (-1). */
+static int wearer(const draw_page *page, int place) {
+  return page->d->spot != NULL ? page->d->spot[place] : page->visitor[place];
+}
+
+/* A, B, ... Z, then numbers. */
+static void draw_spot(const draw_page *page, int place, draw_point at) {
+  const int spot = page->d->spot[place];
+  char mark[8];
+  snprintf(mark, sizeof mark, spot < 26 ? "%c" : "%d", spot < 26 ? 'A' + spot : spot + 1);
+  fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"12\" fill=\"%s\">%s</text>", at.x, at.y + 4.3,
+          draw_ink(spot), mark);
+}
+
 static void draw_place(const draw_page *page, int place) {
   const drawing *d = page->d;
   const int visitor = page->visitor[place];
   const draw_point at = draw_centre(page, d->place[place]);
-  const double radius = draw_radius(page, d->likelihood[place]);
+  const double radius = fmax(draw_radius(page, d->likelihood[place]), d->spot != NULL ? 9 : 2.5);
+  const int wears = wearer(page, place);
   char colour[8];
   fprintf(page->out, "<g class=\"place\"><title>place %d, likelihood %.4g", place, d->likelihood[place]);
   if (visitor >= 0)
@@ -83,8 +98,11 @@ static void draw_place(const draw_page *page, int place) {
             (unsigned long)d->seeker[visitor].step[page->visit[place]]);
   fprintf(page->out,
           "</title><circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.3\"/>", at.x,
-          at.y, fmax(radius, 2.5), visitor < 0 ? "#fff" : draw_colour(colour, visitor), DRAW_INK);
-  if (visitor >= 0) draw_order(page, place, at, radius);
+          at.y, radius, wears < 0 ? "#fff" : draw_colour(colour, wears), DRAW_INK);
+  if (d->spot != NULL)
+    draw_spot(page, place, at);
+  else if (visitor >= 0)
+    draw_order(page, place, at, radius);
   fputs("</g>\n", page->out);
 }
 

@@ -348,6 +348,14 @@ static int take_regions(options *o, const char *name, const char *value, fault *
   return 0;
 }
 
+static int take_spots(options *o, const char *name, const char *value, fault *why) {
+  (void)name;
+  (void)value;
+  (void)why;
+  o->spots = true;
+  return 0;
+}
+
 static const option_row rows[] = {{"output", required_argument, 'o', take_output},
                                   {"c", required_argument, 0, take_c},
                                   {"curve", required_argument, 0, take_curve},
@@ -385,6 +393,7 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"clear", required_argument, 0, take_clear},
                                   {"target", required_argument, 0, take_target},
                                   {"regions", no_argument, 0, take_regions},
+                                  {"spots", no_argument, 0, take_spots},
                                   {"clear-all", no_argument, 0, take_clear_all},
                                   {"history", required_argument, 0, take_history},
                                   {"belief", required_argument, 0, take_belief},

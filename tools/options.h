@@ -66,7 +66,7 @@ typedef struct {
   int target; /* place, or OPTIONS_UNSET */
   bool clear_all;
   /* drawing */
-  bool regions;
+  bool regions, spots;
   /* belief */
   const char *history; /* CSV; NULL: none */
   const char *belief;  /* saved belief, read and written; NULL: none */
