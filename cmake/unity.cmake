@@ -2,20 +2,7 @@
 # comes from the source distribution pinned in requirements.txt, which pip checks by hash. The download is kept in
 # QUARTER_CACHE, so that this happens once, and only that download touches the network.
 include(CheckCSourceCompiles)
-
-set(QUARTER_CACHE ${PROJECT_SOURCE_DIR}/.cache CACHE PATH "Where downloads are kept")
-
-# Sets <result> to a python3 that has pip, or to "".
-function(quarter_find_pip result)
-  set(${result} "" PARENT_SCOPE)
-  foreach(python python3 /usr/bin/python3)
-    execute_process(COMMAND ${python} -m pip --version RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
-    if(failed EQUAL 0)
-      set(${result} ${python} PARENT_SCOPE)
-      return()
-    endif()
-  endforeach()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/pip.cmake)
 
 # Download the source distribution named in requirements.txt to <archive>, without running any code that it holds.
 function(quarter_download archive)

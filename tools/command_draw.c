@@ -256,18 +256,19 @@ static const char *base_name(const char *path) {
   return slash != NULL ? slash + 1 : path;
 }
 
-static int draw(const options *o, fault *why) {
+static int fill_sheet(sheet *s, const options *o, fault *why) {
   table t;
-  int status;
+  if (!table_is_one(o->input)) return from_input(s, o, why);
+  if (table_read(&t, o->input, why) != 0) return -1;
+  const int status = from_table(s, &t, why);
+  table_free(&t);
+  return status;
+}
+
+static int draw(const options *o, fault *why) {
   if (o->output == NULL) return fault_set(why, "quarter draw: say where to with -o FILE.svg");
   set_arrays(&picture);
-  if (table_is_one(o->input)) {
-    if (table_read(&t, o->input, why) != 0) return -1;
-    status = from_table(&picture, &t, why);
-    table_free(&t);
-  } else {
-    status = from_input(&picture, o, why);
-  }
+  int status = fill_sheet(&picture, o, why);
   picture.d.title = drawn.in.name[0] != '\0' ? drawn.in.name : base_name(o->input);
   if (status == 0 && o->regions) status = add_regions(&picture, o, why);
   if (status == 0 && o->spots) status = add_spots(&picture, o, why);
