@@ -267,7 +267,7 @@ static void play_forged(unsigned self, const qtr_places *cleared) {
     TEST_ASSERT_TRUE_MESSAGE(qtr_seeker_field(&seeker, &table_field), case_note);
     const qtr_cell next = qtr_field_next(&table_field, &policy.grid, qtr_policy_cell(&policy, 0));
     TEST_ASSERT_TRUE_MESSAGE(next == QTR_NO_CELL || next < (unsigned)policy.grid.columns * policy.grid.rows, case_note);
-    qtr_seeker_visited(&seeker);
+    qtr_seeker_visited(&seeker, qtr_seeker_target(&seeker));
     while (qtr_seeker_announce(&seeker, &territory))
       TEST_ASSERT_LESS_THAN_MESSAGE(policy.board.seekers, territory, case_note);
   }

@@ -63,7 +63,7 @@ static void visit_target(unsigned self) {
   d->place[d->visits] = target;
   d->territory[d->visits] = seeker[self].territory;
   d->pass[d->visits++] = seeker[self].pass;
-  qtr_seeker_visited(&seeker[self]);
+  qtr_seeker_visited(&seeker[self], qtr_seeker_target(&seeker[self]));
   take_announcements(self);
 }
 
@@ -388,7 +388,7 @@ static void test_all_stop_when_the_target_is_found(void) {
       const unsigned done = diaries[self].visits;
       qtr_seeker_hear(&seeker[self], QTR_SIGNAL_FOUND, 0);
       TEST_ASSERT_TRUE_MESSAGE(is_idle(self), case_note);
-      qtr_seeker_visited(&seeker[self]);
+      qtr_seeker_visited(&seeker[self], qtr_seeker_target(&seeker[self]));
       qtr_seeker_hear(&seeker[self], QTR_SIGNAL_TERRITORY_DONE, 0);
       qtr_seeker_hear(&seeker[self], QTR_SIGNAL_FOUND, 77);
       take_announcements(self);
@@ -451,6 +451,22 @@ static void test_robot_standing_on_a_place_visits_it_first(void) {
   TEST_ASSERT_EQUAL_HEX16(0, qtr_seeker_target(&seeker[0]));
 }
 
+/* A signal on the way changes the target: the place that was driven to all the same is not taken for the new one. */
+static void test_a_place_scanned_late_is_not_taken_for_the_new_target(void) {
+  table_draw("1S..........\n1...........\n............1", 2);
+  start_robots(NULL);
+  const uint16_t first = qtr_seeker_target(&seeker[0]);
+  qtr_seeker_hear(&seeker[0], QTR_SIGNAL_TERRITORY_DONE, 0);
+  const uint16_t second = qtr_seeker_target(&seeker[0]);
+  TEST_ASSERT_TRUE(second != first && second != QTR_STAND_DOWN);
+  qtr_seeker_visited(&seeker[0], first);
+  TEST_ASSERT_EQUAL_UINT16(second, qtr_seeker_target(&seeker[0]));
+  take_announcements(0);
+  TEST_ASSERT_EQUAL_UINT(0, diaries[0].announced[1]);
+  qtr_seeker_visited(&seeker[0], 60000);
+  TEST_ASSERT_EQUAL_UINT16(second, qtr_seeker_target(&seeker[0]));
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_robots_together_play_the_best_game);
@@ -472,5 +488,6 @@ int main(void) {
   RUN_TEST(test_robot_of_no_such_number_is_refused);
   RUN_TEST(test_all_cleared_leaves_nothing_to_do);
   RUN_TEST(test_robot_standing_on_a_place_visits_it_first);
+  RUN_TEST(test_a_place_scanned_late_is_not_taken_for_the_new_target);
   return UNITY_END();
 }

@@ -42,6 +42,17 @@ static void write_places(json *j, const table *t) {
   json_end_array(j);
 }
 
+/* The map, a text a row: '#' blocked, '.' free, 2 to 9 the steps that slow ground takes (9 or more). */
+static void write_map(json *j, const qtr_grid *grid) {
+  char *text = malloc(grid->columns + 1u);
+  json_array(j, "map");
+  for (unsigned row = 0; text != NULL && row < grid->rows; row++) {
+    json_string(j, NULL, table_map_row(text, grid, row));
+  }
+  json_end_array(j);
+  free(text);
+}
+
 /* A table and its routes. */
 typedef struct {
   table t;
@@ -84,6 +95,7 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "seed", c.seed);
   json_natural(&j, "records", t->policy.records);
   json_integer(&j, "key_bytes", 4 * t->policy.board.key_words);
+  write_map(&j, &t->policy.grid);
   write_places(&j, t);
   report_json_routes(&j, i->routes, t->policy.board.seekers);
   json_end_object(&j);

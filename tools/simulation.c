@@ -113,8 +113,9 @@ static bool scan(simulation *s, world *w, int i, qtr_steps now) {
     s->found_step = now;
     w->finder = w->o->clear_all ? QTR_NOBODY : i;
   }
-  qtr_seeker_visited(&r->seeker);
-  return w->finder != i;
+  if (w->finder == i) return false;
+  qtr_seeker_visited(&r->seeker, place);
+  return true;
 }
 
 static void announce(simulation *s, world *w, int i, qtr_steps now) {

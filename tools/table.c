@@ -92,3 +92,12 @@ bool table_is_one(const char *path) {
   fclose(file);
   return got == sizeof magic && memcmp(magic, "QTRP", sizeof magic) == 0;
 }
+
+const char *table_map_row(char *text, const qtr_grid *grid, unsigned row) {
+  for (unsigned column = 0; column < grid->columns; column++) {
+    const unsigned cost = qtr_grid_cost(grid, (qtr_cell)(row * grid->columns + column));
+    text[column] = cost == 0 ? '#' : cost == 1 ? '.' : (char)('0' + (cost < 9 ? cost : 9));
+  }
+  text[grid->columns] = '\0';
+  return text;
+}

@@ -43,6 +43,10 @@ double table_probability(const table *t, unsigned place);
 /* The nominal routes of all seekers, `routes` one for each. Returns how many choices were made off the table. */
 uint32_t table_routes(const table *t, table_route *routes);
 
+/* A row of the map as text, '#' blocked, '.' free, 2 to 9 the steps that slow ground takes (9 or more), into `text`, which
+ * holds a character more than columns. Returns it. */
+const char *table_map_row(char *text, const qtr_grid *grid, unsigned row);
+
 /* Whether the bytes are those of a table rather than of an input. */
 bool table_is_one(const char *path);
 

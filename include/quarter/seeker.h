@@ -51,10 +51,13 @@ int qtr_seeker_init(qtr_seeker *seeker, const qtr_policy *policy, unsigned self,
 /* The place to go to now; QTR_STAND_DOWN: stay, there is nothing left to do. */
 uint16_t qtr_seeker_target(const qtr_seeker *seeker);
 
-/* The robot stands on its target and has scanned it without a find: on to the next. */
-void qtr_seeker_visited(qtr_seeker *seeker);
+/* The robot stands on `place` and has scanned it without a find. If that is its target, it goes on to the next; a target that
+ * a signal has changed meanwhile stays. Where the scan finds the target of the search, hear FOUND instead. A place out of
+ * range is ignored. */
+void qtr_seeker_visited(qtr_seeker *seeker, unsigned place);
 
-/* A signal was heard, or, for FOUND, the robot found the target itself. `territory` counts for TERRITORY_DONE alone;
+/* A signal was heard, or, for FOUND, the robot found the target itself. It may change the target. Not from an interrupt while
+ * another function of this module runs: keep the signal and hear it between two moves. `territory` counts for TERRITORY_DONE alone;
  * a number out of range or an unknown signal is ignored. */
 void qtr_seeker_hear(qtr_seeker *seeker, int signal, unsigned territory);
 

@@ -74,10 +74,10 @@ uint16_t qtr_seeker_target(const qtr_seeker *seeker) {
   return seeker->target;
 }
 
-void qtr_seeker_visited(qtr_seeker *seeker) {
-  if (seeker->target == QTR_STAND_DOWN) return;
-  qtr_places_add(&seeker->visited, seeker->target);
-  next_target(seeker);
+void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
+  if (place >= seeker->policy->board.places) return;
+  qtr_places_add(&seeker->visited, place);
+  if (place == seeker->target) next_target(seeker);
 }
 
 void qtr_seeker_hear(qtr_seeker *seeker, int signal, unsigned territory) {

@@ -1,0 +1,56 @@
+/* The bus between world, robots and viewers: LCM behind a plain interface. bus.c is the only file that includes LCM.
+ *
+ * LCM drops silently: drain the queue every tick, and repeat what must arrive. On "memq://" everything stays in this
+ * process, in the order in which it was sent, and nothing is ever lost unless bus_lose() asks for it.
+ */
+#ifndef QUARTER_DEMO_BUS_H
+#define QUARTER_DEMO_BUS_H
+
+#include <stdint.h>
+
+#include "fault.h"
+#include "messages.h"
+
+#define BUS_IN_PROCESS "memq://"
+
+typedef struct bus bus;
+
+/* What became of the messages so far. */
+typedef struct {
+  uint64_t sent[KINDS];
+  uint64_t lost;    /* of termination signals, by bus_lose() */
+  uint64_t ignored; /* did not decode, or were out of range */
+} bus_counts;
+
+/* Open the bus at an LCM URL; NULL: LCM_DEFAULT_URL, or LCM's own default with ttl=0. 0, or -1 with *why set. */
+int bus_open(bus **b, const char *url, fault *why);
+void bus_close(bus *b);
+
+/* Write all that passes to an LCM log, at the world's times, until the bus is closed. 0, or -1 with *why set. */
+int bus_record(bus *b, const char *path, fault *why);
+
+/* Lose this share of the termination signals on their way to each receiver, at random. */
+void bus_lose(bus *b, double share, uint64_t seed);
+
+void bus_send_pose(bus *b, const message_pose *m);
+void bus_send_scan(bus *b, const message_scan *m);
+void bus_send_command(bus *b, const message_command *m);
+void bus_send_terminate(bus *b, const message_terminate *m);
+void bus_send_status(bus *b, const message_status *m);
+
+/* Call `hear` for every such message from now on; of a robot's channels, for the robot of that number alone. */
+void bus_hear_pose(bus *b, int robot, void (*hear)(void *user, const message_pose *m), void *user);
+void bus_hear_scan(bus *b, int robot, void (*hear)(void *user, const message_scan *m), void *user);
+void bus_hear_command(bus *b, int robot, void (*hear)(void *user, const message_command *m), void *user);
+void bus_hear_terminate(bus *b, void (*hear)(void *user, const message_terminate *m), void *user);
+void bus_hear_status(bus *b, void (*hear)(void *user, const message_status *m), void *user);
+
+/* Handle all that waits. Returns how many messages that were, or -1 if the bus is broken. */
+int bus_drain(bus *b);
+
+/* Wait up to `milliseconds` for a message and handle it. True if one came. */
+bool bus_wait(bus *b, int milliseconds);
+
+bus_counts bus_count(const bus *b);
+
+#endif

@@ -1,0 +1,51 @@
+/* The messages of lcmtypes/ as plain structs: only bus.c knows how they travel. Lengths in metres of the map frame. */
+#ifndef QUARTER_DEMO_MESSAGES_H
+#define QUARTER_DEMO_MESSAGES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#define MESSAGE_RAYS 24
+#define MESSAGE_MOST_ROBOTS 16
+#define MESSAGE_MOST_PLACES 128
+
+typedef struct {
+  int64_t utime; /* microseconds of the world's clock */
+  int robot;
+  double x, y;
+  double heading; /* radians, counter-clockwise from x */
+} message_pose;
+
+typedef struct {
+  int64_t utime;
+  int robot;
+  bool mine;                 /* within the mine sensor's range */
+  float range[MESSAGE_RAYS]; /* to the nearest thing, ray r at heading + r / MESSAGE_RAYS of a turn */
+} message_scan;
+
+typedef struct {
+  int64_t utime;
+  int robot;
+  double left, right; /* metres a second */
+} message_command;
+
+typedef struct {
+  int64_t utime;
+  int sender;
+  int signal; /* enum qtr_signal */
+  int territory;
+} message_terminate;
+
+enum message_state { STATE_ALIVE = 0, STATE_STOPPED = 1, STATE_LOST = 2, STATE_STUCK = 3 };
+
+typedef struct {
+  int64_t utime;
+  int robots, places, mines_found;
+  int8_t state[MESSAGE_MOST_ROBOTS];      /* enum message_state */
+  int8_t scanned_by[MESSAGE_MOST_PLACES]; /* -1: nobody yet */
+  int8_t found[MESSAGE_MOST_PLACES];
+} message_status;
+
+enum message_kind { KIND_POSE, KIND_SCAN, KIND_COMMAND, KIND_TERMINATE, KIND_STATUS, KINDS };
+
+#endif

@@ -1,0 +1,240 @@
+#include "arena.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "quarter/seeker.h"
+#include "rng.h"
+
+#define STEPS 3             /* of the world in a tick */
+#define STATUS_TICKS 4
+#define WATCHDOG 500000     /* microseconds without a command after which wheels stand */
+#define STILL 0.5           /* seconds of standing orders after which a robot counts as stopped */
+#define LINGER 1.0          /* seconds for which the game goes on after the last one stopped */
+#define MOVED 0.3           /* cells that count as making way */
+#define DEADLOCK 20.0       /* seconds without */
+
+static int64_t utime_of(const arena *a) {
+  return (int64_t)llround(1e6 * a->now);
+}
+
+static void note(arena *a, arena_event event) {
+  event.at = a->now;
+  if (a->events < ARENA_EVENTS) a->event[a->events++] = event;
+}
+
+/* ---- what it hears ---- */
+
+static void hear_command(void *user, const message_command *m) {
+  arena *a = user;
+  if (m->robot >= a->robots) return;
+  a->commands++;
+  arena_robot *r = &a->robot[m->robot];
+  const bool still = m->left == 0.0 && m->right == 0.0;
+  if (still && !r->still) r->still_since = a->now;
+  r->still = still;
+  r->heard = true;
+  r->commanded = utime_of(a);
+  if (r->state == STATE_LOST) return;
+  world_drive(a->w, m->robot, m->left / a->g.cell_size, m->right / a->g.cell_size);
+}
+
+/* The world is no robot: it listens in for the viewers' sake. */
+static void hear_terminate(void *user, const message_terminate *m) {
+  arena *a = user;
+  a->signals++;
+  if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory < 0 || m->territory >= a->robots) return;
+  if (a->done[m->territory]) return;
+  a->done[m->territory] = true;
+  note(a, (arena_event){0, EVENT_DONE, m->sender, -1, m->territory, 0.0});
+}
+
+/* ---- setting up ---- */
+
+static int draw_mine(const arena *a, rng *dice) {
+  double left = rng_unit(dice);
+  for (int place = 0; place < a->places - 1; place++) {
+    left -= table_probability(a->t, (unsigned)place);
+    if (left < 0.0) return place;
+  }
+  return a->places - 1;
+}
+
+int arena_open(arena *a, const table *t, bus *b, const arena_setup *setup, fault *why) {
+  rng dice;
+  memset(a, 0, sizeof *a);
+  a->t = t;
+  a->b = b;
+  a->setup = *setup;
+  a->g = ground_of(&t->policy);
+  a->robots = t->policy.board.seekers;
+  a->places = t->policy.board.places;
+  if (a->robots > WORLD_MOST_ROBOTS || a->places > MESSAGE_MOST_PLACES)
+    return fault_set(why, "the demo holds %d robots and %d places at most; this table has %d and %d", WORLD_MOST_ROBOTS,
+                     MESSAGE_MOST_PLACES, a->robots, a->places);
+  rng_seed(&dice, setup->seed);
+  a->mine = setup->mine == -1 ? draw_mine(a, &dice) : setup->mine;
+  a->w = world_new(&t->policy, rng_next(&dice));
+  if (a->w == NULL) return fault_set(why, "no memory for the world");
+  a->found_at = -1.0;
+  for (int place = 0; place < a->places; place++) a->scanned_by[place] = -1;
+  for (int i = 0; i < a->robots; i++) {
+    a->robot[i].stopped_at = -1.0;
+    a->robot[i].anchor = world_pose_of(a->w, i).at;
+    bus_hear_command(b, i, hear_command, a);
+  }
+  bus_hear_terminate(b, hear_terminate, a);
+  return 0;
+}
+
+void arena_close(arena *a) {
+  world_free(a->w);
+  a->w = NULL;
+}
+
+/* ---- sensing ---- */
+
+static bool over_place(const arena *a, point at, int place) {
+  const point middle = ground_centre(&a->g, qtr_policy_cell(&a->t->policy, (unsigned)place));
+  return hypot(middle.x - at.x, middle.y - at.y) < WORLD_MINE_RANGE;
+}
+
+static void note_scan(arena *a, int robot, int place) {
+  arena_robot *r = &a->robot[robot];
+  if (qtr_places_has(&r->scanned, (unsigned)place)) return;
+  qtr_places_add(&r->scanned, (unsigned)place);
+  if (a->scanned_by[place] >= 0) {
+    a->duplicates++;
+    return;
+  }
+  a->scanned_by[place] = (int8_t)robot;
+  a->scanned_at[place] = a->now;
+  const bool found = place == a->mine;
+  if (found) a->found_at = a->now;
+  note(a, (arena_event){0, found ? EVENT_FOUND : EVENT_SCANNED, robot, place, -1, 0.0});
+}
+
+/* Whether the robot's sensor sees a mine; every place under it counts as scanned. */
+static bool sense_mine(arena *a, int robot, point at) {
+  bool mine = false;
+  for (int place = 0; place < a->places; place++) {
+    if (!over_place(a, at, place)) continue;
+    note_scan(a, robot, place);
+    mine = mine || place == a->mine;
+  }
+  return mine;
+}
+
+static void publish_robot(arena *a, int robot) {
+  const world_pose pose = world_pose_of(a->w, robot);
+  const message_pose where = {utime_of(a), robot, ground_x_m(&a->g, pose.at), ground_y_m(&a->g, pose.at), pose.heading};
+  message_scan scan = {.utime = where.utime, .robot = robot, .mine = sense_mine(a, robot, pose.at)};
+  world_look(a->w, robot, scan.range, MESSAGE_RAYS);
+  for (int ray = 0; ray < MESSAGE_RAYS; ray++) scan.range[ray] *= (float)a->g.cell_size;
+  bus_send_pose(a->b, &where);
+  bus_send_scan(a->b, &scan);
+}
+
+static void publish_status(const arena *a) {
+  message_status m = {.utime = utime_of(a), .robots = a->robots, .places = a->places, .mines_found = a->found_at >= 0.0};
+  for (int i = 0; i < a->robots; i++) m.state[i] = (int8_t)(a->robot[i].state);
+  for (int place = 0; place < a->places; place++) {
+    m.scanned_by[place] = a->scanned_by[place];
+    m.found[place] = a->scanned_by[place] >= 0 && place == a->mine;
+  }
+  bus_send_status(a->b, &m);
+}
+
+void arena_publish(arena *a) {
+  for (int robot = 0; robot < a->robots; robot++)
+    if (a->robot[robot].state != STATE_LOST) publish_robot(a, robot);
+  if (a->ticks % STATUS_TICKS == 0) publish_status(a);
+}
+
+/* ---- faults ---- */
+
+static void strike(arena *a, const fault_event *f, int robot) {
+  static const int kinds[] = {[FAULT_LOST] = EVENT_LOST, [FAULT_STUCK] = EVENT_STUCK, [FAULT_UNSTUCK] = EVENT_UNSTUCK,
+                              [FAULT_SLIP] = EVENT_SLIP};
+  arena_robot *r = &a->robot[robot];
+  if (r->state == STATE_LOST) return;
+  if (f->kind == FAULT_SLIP) world_slip(a->w, robot, f->share);
+  if (f->kind != FAULT_SLIP) world_stop_wheels(a->w, robot, f->kind != FAULT_UNSTUCK);
+  if (f->kind == FAULT_LOST) r->state = STATE_LOST;
+  if (f->kind == FAULT_STUCK) r->state = STATE_STUCK;
+  if (f->kind == FAULT_UNSTUCK) r->state = STATE_ALIVE;
+  r->anchored = a->now;
+  note(a, (arena_event){0, kinds[f->kind], robot, -1, -1, f->share});
+}
+
+static void strike_what_is_due(arena *a) {
+  const fault_script *script = a->setup.faults;
+  while (script != NULL && a->next_fault < script->count && script->event[a->next_fault].at <= a->now) {
+    const fault_event *f = &script->event[a->next_fault++];
+    if (f->kind == FAULT_LOSS) {
+      bus_lose(a->b, f->share, a->setup.seed + 1);
+      note(a, (arena_event){0, EVENT_LOSS, -1, -1, -1, f->share});
+      continue;
+    }
+    for (int robot = 0; robot < a->robots; robot++)
+      if (f->robot < 0 || f->robot == robot) strike(a, f, robot);
+  }
+}
+
+/* ---- time ---- */
+
+static void watch_stop(arena *a, int robot) {
+  arena_robot *r = &a->robot[robot];
+  if (r->state == STATE_LOST) return;
+  if (!r->still || !r->heard) {
+    r->stopped_at = -1.0;
+    if (r->state == STATE_STOPPED) r->state = STATE_ALIVE;
+  } else if (r->stopped_at < 0.0 && a->now - r->still_since >= STILL) {
+    r->stopped_at = r->still_since;
+    if (r->state == STATE_ALIVE) r->state = STATE_STOPPED;
+    note(a, (arena_event){0, EVENT_STOPPED, robot, -1, -1, 0.0});
+  }
+}
+
+static void watch_deadlock(arena *a, int robot) {
+  arena_robot *r = &a->robot[robot];
+  const point at = world_pose_of(a->w, robot).at;
+  if (r->state != STATE_ALIVE || hypot(at.x - r->anchor.x, at.y - r->anchor.y) > MOVED) {
+    r->anchor = at;
+    r->anchored = a->now;
+    r->deadlocked = false;
+  } else if (!r->deadlocked && a->now - r->anchored > DEADLOCK) {
+    r->deadlocked = true;
+    a->deadlocks++;
+    note(a, (arena_event){0, EVENT_DEADLOCK, robot, -1, -1, 0.0});
+  }
+}
+
+void arena_advance(arena *a) {
+  strike_what_is_due(a);
+  for (int robot = 0; robot < a->robots; robot++)
+    if (utime_of(a) - a->robot[robot].commanded > WATCHDOG) world_drive(a->w, robot, 0.0, 0.0);
+  for (int step = 0; step < STEPS; step++) world_step(a->w);
+  a->ticks++;
+  a->now = (double)a->ticks * ARENA_TICK;
+  for (int robot = 0; robot < a->robots; robot++) {
+    watch_stop(a, robot);
+    watch_deadlock(a, robot);
+  }
+}
+
+double arena_all_stopped_at(const arena *a) {
+  double last = 0.0;
+  for (int robot = 0; robot < a->robots; robot++) {
+    const arena_robot *r = &a->robot[robot];
+    if (r->state == STATE_LOST) continue;
+    if (r->stopped_at < 0.0) return -1.0;
+    if (r->stopped_at > last) last = r->stopped_at;
+  }
+  return last;
+}
+
+bool arena_over(const arena *a) {
+  const double stopped = arena_all_stopped_at(a);
+  return a->now >= a->setup.time_limit || (stopped >= 0.0 && a->now >= stopped + STILL + LINGER);
+}

@@ -1,0 +1,84 @@
+/* The world with all that surrounds it: mines, clock, faults, and what happened. It publishes each robot's pose and scan
+ * and takes its wheel commands; it is the same whether the robots are in this process or in others. */
+#ifndef QUARTER_DEMO_ARENA_H
+#define QUARTER_DEMO_ARENA_H
+
+#include "bus.h"
+#include "faults.h"
+#include "table.h"
+#include "world.h"
+
+#define ARENA_TICK 0.05 /* seconds between messages: three steps of the world */
+
+enum arena_kind { EVENT_SCANNED, EVENT_FOUND, EVENT_DONE, EVENT_STOPPED, EVENT_LOST, EVENT_STUCK, EVENT_UNSTUCK,
+                  EVENT_SLIP, EVENT_LOSS, EVENT_DEADLOCK };
+
+typedef struct {
+  double at; /* seconds */
+  int kind;  /* enum arena_kind */
+  int robot, place, territory; /* -1: none */
+  double share;
+} arena_event;
+
+#define ARENA_EVENTS 2048
+
+typedef struct {
+  uint64_t seed;
+  bool clear_all;
+  int mine;                   /* place; -1: drawn by the likelihoods; -2: there is none */
+  const fault_script *faults; /* NULL: none */
+  double time_limit;          /* seconds */
+} arena_setup;
+
+/* Of one robot. */
+typedef struct {
+  enum message_state state;
+  bool heard;        /* a command came */
+  int64_t commanded; /* utime of the last one */
+  bool still;        /* it is told to stand */
+  double still_since, stopped_at; /* seconds; stopped_at below 0: it drives */
+  point anchor;      /* where it was when it last made way */
+  double anchored;   /* seconds: when that was */
+  bool deadlocked;
+  qtr_places scanned;
+} arena_robot;
+
+typedef struct {
+  const table *t;
+  bus *b;
+  arena_setup setup;
+  world *w;
+  ground g;
+  int robots, places;
+  int mine;
+  double now; /* seconds */
+  uint64_t ticks;
+  int next_fault;
+  arena_robot robot[WORLD_MOST_ROBOTS];
+  int8_t scanned_by[QTR_MAX_PLACES]; /* -1: nobody yet */
+  double scanned_at[QTR_MAX_PLACES];
+  bool done[WORLD_MOST_ROBOTS]; /* territories announced */
+  double found_at; /* seconds; below 0: not yet */
+  int duplicates, deadlocks;
+  uint64_t commands, signals; /* heard */
+  int events;
+  arena_event event[ARENA_EVENTS];
+} arena;
+
+/* Set up over an open bus, which must outlive it. 0, or -1 with *why set and nothing to free. */
+int arena_open(arena *a, const table *t, bus *b, const arena_setup *setup, fault *why);
+void arena_close(arena *a);
+
+/* Send every robot's pose and scan, and what viewers should know. */
+void arena_publish(arena *a);
+
+/* After the robots' commands were drained: advance by ARENA_TICK. */
+void arena_advance(arena *a);
+
+/* Every robot that is not lost has stopped, or time is up. */
+bool arena_over(const arena *a);
+
+/* When the last robot stopped, in seconds; below 0 if one still drives. Lost ones do not count. */
+double arena_all_stopped_at(const arena *a);
+
+#endif

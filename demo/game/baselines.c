@@ -1,0 +1,65 @@
+#include "baselines.h"
+
+#include <string.h>
+
+static bool is_known(const baseline *b, unsigned place) {
+  if (b->crew == NULL) return qtr_places_has(&b->scanned, place);
+  for (int i = 0; i < b->robots; i++)
+    if (qtr_places_has(&b->crew[i].scanned, place) || (i != b->self && b->crew[i].target == place)) return true;
+  return false;
+}
+
+static void choose(baseline *b) {
+  const qtr_board *board = &b->policy->board;
+  qtr_steps least = QTR_NEVER;
+  b->target = QTR_STAND_DOWN;
+  if (b->found) return;
+  for (unsigned place = 0; place < board->places; place++) {
+    const qtr_steps steps = place == b->node ? 0 : qtr_board_steps(board, b->node, place);
+    if (is_known(b, place) || steps >= least) continue;
+    least = steps;
+    b->target = (uint16_t)place;
+  }
+}
+
+/* Who has nothing to do looks again: what another was bound for may be free now. */
+static uint16_t target(void *self) {
+  baseline *b = self;
+  if (b->target == QTR_STAND_DOWN) choose(b);
+  return b->target;
+}
+
+static void visited(void *self, uint16_t place) {
+  baseline *b = self;
+  qtr_places_add(&b->scanned, place);
+  b->node = place;
+  choose(b);
+}
+
+static void hear(void *self, int signal, unsigned territory) {
+  baseline *b = self;
+  (void)territory;
+  if (signal != QTR_SIGNAL_FOUND) return;
+  b->found = true;
+  b->target = QTR_STAND_DOWN;
+}
+
+static bool announce(void *self, uint8_t *territory) {
+  (void)self;
+  (void)territory;
+  return false;
+}
+
+void baseline_init(baseline *b, const qtr_policy *policy, int self, baseline *crew) {
+  memset(b, 0, sizeof *b);
+  b->policy = policy;
+  b->self = self;
+  b->crew = crew;
+  b->robots = policy->board.seekers;
+  b->node = (unsigned)policy->board.places + policy->board.start_of[self];
+  b->target = QTR_STAND_DOWN;
+}
+
+robot_pilot baseline_pilot(baseline *b) {
+  return (robot_pilot){b, target, visited, hear, announce};
+}

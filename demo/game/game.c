@@ -1,0 +1,146 @@
+#include "game.h"
+
+#include <stdlib.h>
+#include <time.h>
+
+#include "baselines.h"
+#include "driver.h"
+#include "progress.h"
+#include "robot.h"
+
+/* All that a game needs beside its arena. */
+typedef struct {
+  arena a;
+  bus *b;
+  qtr_seeker seeker[WORLD_MOST_ROBOTS];
+  baseline baseline[WORLD_MOST_ROBOTS];
+  robot *crew;
+} game;
+
+double game_step_seconds(void) {
+  return 1.0 / DRIVER_SPEED;
+}
+
+double game_plan_seconds(const table *t) {
+  static table_route routes[QTR_MAX_SEEKERS];
+  qtr_steps last = 0;
+  table_routes(t, routes);
+  for (int i = 0; i < t->policy.board.seekers; i++)
+    if (routes[i].places > 0 && routes[i].step[routes[i].places - 1] > last) last = routes[i].step[routes[i].places - 1];
+  return last * game_step_seconds();
+}
+
+/* ---- a robot's two mouths and three ears ---- */
+
+static void say_command(void *user, const message_command *m) {
+  bus_send_command(user, m);
+}
+
+static void say_terminate(void *user, const message_terminate *m) {
+  bus_send_terminate(user, m);
+}
+
+static void hear_pose(void *user, const message_pose *m) {
+  robot_hear_pose(user, m);
+}
+
+static void hear_scan(void *user, const message_scan *m) {
+  robot_hear_scan(user, m);
+}
+
+/* A lost robot hears nothing and says nothing: the world sends it no more scans, at which it would act. */
+static void hear_terminate(void *user, const message_terminate *m) {
+  robot_hear_terminate(user, m);
+}
+
+/* ---- setting up ---- */
+
+static robot_pilot make_pilot(game *g, const game_setup *setup, int i) {
+  if (setup->strategy == STRATEGY_PLAN) {
+    qtr_seeker_init(&g->seeker[i], &setup->t->policy, (unsigned)i, NULL);
+    return robot_pilot_of_plan(&g->seeker[i]);
+  }
+  return baseline_pilot(&g->baseline[i]);
+}
+
+static void man(game *g, const game_setup *setup) {
+  const int robots = setup->t->policy.board.seekers;
+  const robot_voice voice = {g->b, say_command, say_terminate};
+  for (int i = 0; i < robots; i++)
+    baseline_init(&g->baseline[i], &setup->t->policy, i, setup->strategy == STRATEGY_INFORMED ? g->baseline : NULL);
+  for (int i = 0; i < robots; i++) {
+    robot_init(&g->crew[i], &setup->t->policy, i, setup->arena.clear_all, make_pilot(g, setup, i), voice);
+    bus_hear_pose(g->b, i, hear_pose, &g->crew[i]);
+    bus_hear_scan(g->b, i, hear_scan, &g->crew[i]);
+    bus_hear_terminate(g->b, hear_terminate, &g->crew[i]);
+  }
+}
+
+static int open_game(game *g, const game_setup *setup, fault *why) {
+  g->crew = malloc(setup->t->policy.board.seekers * sizeof *g->crew);
+  if (g->crew == NULL) return fault_set(why, "no memory for the robots");
+  if (bus_open(&g->b, BUS_IN_PROCESS, why) != 0) return -1;
+  if (setup->log != NULL && bus_record(g->b, setup->log, why) != 0) return -1;
+  if (arena_open(&g->a, setup->t, g->b, &setup->arena, why) != 0) return -1;
+  man(g, setup);
+  return 0;
+}
+
+static void close_game(game *g) {
+  arena_close(&g->a);
+  bus_close(g->b);
+  free(g->crew);
+}
+
+/* ---- playing ---- */
+
+static void keep_pace(double begin, double now, double speed) {
+  const double ahead = speed > 0.0 ? now / speed - (clock_seconds() - begin) : 0.0;
+  if (ahead <= 0.0) return;
+  const struct timespec wait = {(time_t)ahead, (long)((ahead - (double)(time_t)ahead) * 1e9)};
+  nanosleep(&wait, NULL);
+}
+
+static void play(game *g, const game_setup *setup, const volatile int *interrupted) {
+  const double begin = clock_seconds();
+  while (!arena_over(&g->a) && (interrupted == NULL || *interrupted == 0)) {
+    arena_publish(&g->a);
+    bus_drain(g->b);
+    arena_advance(&g->a);
+    if (setup->watch != NULL) setup->watch(setup->user, &g->a);
+    keep_pace(begin, g->a.now, setup->speed);
+  }
+}
+
+void game_tell(const arena *a, const bus *b, game_result *result) {
+  *result = (game_result){.duration = a->now,
+                          .found_at = a->found_at,
+                          .all_stopped_at = arena_all_stopped_at(a),
+                          .mine = a->mine,
+                          .duplicates = a->duplicates,
+                          .collisions = world_collisions(a->w),
+                          .deadlocks = a->deadlocks,
+                          .counts = bus_count(b)};
+  /* What robots in other processes said, the arena has heard. */
+  if (result->counts.sent[KIND_COMMAND] == 0) {
+    result->counts.sent[KIND_COMMAND] = a->commands;
+    result->counts.sent[KIND_TERMINATE] = a->signals;
+  }
+  for (int place = 0; place < a->places; place++) result->scanned += a->scanned_by[place] >= 0;
+}
+
+int game_play(const game_setup *setup, game_result *result, const volatile int *interrupted, fault *why) {
+  game *g = calloc(1, sizeof *g);
+  if (g == NULL) return fault_set(why, "no memory for the game");
+  const double begin = clock_seconds();
+  int status = open_game(g, setup, why);
+  if (status == 0) {
+    play(g, setup, interrupted);
+    game_tell(&g->a, g->b, result);
+    result->wall_seconds = clock_seconds() - begin;
+    if (setup->finish != NULL) status = setup->finish(setup->user, &g->a, result, why);
+  }
+  close_game(g);
+  free(g);
+  return status;
+}

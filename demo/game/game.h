@@ -1,0 +1,40 @@
+/* A whole game in one process: the world and its robots, talking over LCM in memory. */
+#ifndef QUARTER_DEMO_GAME_H
+#define QUARTER_DEMO_GAME_H
+
+#include "arena.h"
+#include "table.h"
+
+enum game_strategy { STRATEGY_PLAN, STRATEGY_NEAREST, STRATEGY_INFORMED };
+
+typedef struct {
+  double duration, found_at, all_stopped_at; /* seconds; below 0: never */
+  int mine, scanned, duplicates, collisions, deadlocks;
+  double wall_seconds;
+  bus_counts counts;
+} game_result;
+
+typedef struct {
+  const table *t;
+  arena_setup arena;
+  int strategy;    /* enum game_strategy */
+  const char *log; /* LCM log to write; NULL: none */
+  void *user;
+  void (*watch)(void *user, const arena *a); /* told after every tick; NULL: nobody */
+  int (*finish)(void *user, const arena *a, const game_result *result, fault *why); /* at the end; NULL: nobody */
+  double speed; /* times real time; 0: as fast as can be */
+} game_setup;
+
+/* Plays a game from beginning to end; `interrupted` (may be NULL) ends it before. 0, or -1 with *why set. */
+int game_play(const game_setup *setup, game_result *result, const volatile int *interrupted, fault *why);
+
+/* How a game stands, all but wall_seconds. */
+void game_tell(const arena *a, const bus *b, game_result *result);
+
+/* Seconds that a step of the plan takes a robot of the demo. */
+double game_step_seconds(void);
+
+/* A plan's latest visit, in seconds. */
+double game_plan_seconds(const table *t);
+
+#endif

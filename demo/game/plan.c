@@ -1,0 +1,136 @@
+#include "plan.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "outfile.h"
+#include "progress.h"
+#include "quarter/export.h"
+#include "quarter/status.h"
+#include "study.h"
+
+static study learnt;
+
+/* ---- learning ---- */
+
+static int read_mission(options *o, const char *mission, int robots, fault *why) {
+  static const option_set none = {"demo", " "};
+  char name[] = "demo";
+  char input[4096];
+  snprintf(input, sizeof input, "%s", mission);
+  char *words[] = {name, input, NULL};
+  if (options_parse(o, &none, 2, words, why) != 0) return -1;
+  o->robots = robots;
+  o->input = mission;
+  return study_read(&learnt, o, why);
+}
+
+static void learn(double seconds) {
+  const double begin = clock_seconds();
+  while (qtr_learner_step(&learnt.learner) == QTR_LEARNING && clock_seconds() - begin < seconds) continue;
+}
+
+static int learn_table(table *t, const options *o, double seconds, fault *why) {
+  if (study_begin(&learnt, o, why) != 0) return -1;
+  learn(seconds);
+  const uint32_t size = qtr_export_size(&learnt.learner);
+  t->bytes.data = malloc(size);
+  t->bytes.size = size;
+  int32_t status = t->bytes.data != NULL ? qtr_export(&learnt.learner, t->bytes.data, size) : QTR_ERR_SPACE;
+  if (status > 0) status = qtr_policy_open(&t->policy, t->bytes.data, size);
+  if (status == QTR_OK) return 0;
+  free(t->bytes.data);
+  return fault_set(why, "%s: no policy table can be made: %s", o->input, qtr_strerror(status));
+}
+
+/* ---- a table from elsewhere ---- */
+
+static bool same_map(const qtr_grid *grid, const qtr_mission *mission) {
+  const uint32_t cells = (uint32_t)mission->columns * mission->rows;
+  if (grid->columns != mission->columns || grid->rows != mission->rows) return false;
+  for (uint32_t cell = 0; cell < cells; cell++)
+    if (qtr_grid_cost(grid, (qtr_cell)cell) != mission->cost[cell]) return false;
+  return true;
+}
+
+static const char *difference(const qtr_policy *policy, const qtr_mission *mission) {
+  if (!same_map(&policy->grid, mission)) return "its map is another one";
+  if (policy->board.places != mission->places) return "it has other places";
+  for (unsigned place = 0; place < mission->places; place++)
+    if (qtr_policy_cell(policy, place) != mission->place[place]) return "its places lie elsewhere";
+  if (policy->board.seekers != mission->seekers) return "it is for another number of robots";
+  for (unsigned i = 0; i < mission->seekers; i++)
+    if (qtr_policy_cell(policy, (unsigned)mission->places + policy->board.start_of[i]) != mission->start[i])
+      return "its robots start elsewhere";
+  return NULL;
+}
+
+static int read_table(table *t, const char *path, const options *o, fault *why) {
+  if (table_read(t, path, why) != 0) return -1;
+  const char *other = difference(&t->policy, &learnt.p.in.mission);
+  if (other == NULL) return 0;
+  table_free(t);
+  return fault_set(why, "%s: this table is not of %s: %s; learn it again with 'quarter learn %s -o %s'", path, o->input,
+                   other, o->input, path);
+}
+
+/* ---- what it says ---- */
+
+static void survey(plan *p) {
+  const qtr_board *board = &p->t.policy.board;
+  table_routes(&p->t, p->routes);
+  p->expected_step = 0.0;
+  for (unsigned place = 0; place < board->places; place++) {
+    p->likelihood[place] = table_probability(&p->t, place);
+    p->territory[place] = -1;
+    p->step[place] = QTR_NEVER;
+  }
+  for (int i = 0; i < board->seekers; i++) {
+    for (int j = 0; j < p->routes[i].places; j++) {
+      const unsigned place = p->routes[i].place[j];
+      p->territory[place] = i;
+      p->step[place] = p->routes[i].step[j];
+      p->expected_step += p->likelihood[place] * p->routes[i].step[j];
+    }
+  }
+}
+
+static int save_table(const table *t, const char *path, fault *why) {
+  outfile out;
+  if (path == NULL) return 0;
+  if (outfile_open(&out, path, why) != 0) return -1;
+  fwrite(t->bytes.data, 1, t->bytes.size, out.file);
+  return outfile_commit(&out, why);
+}
+
+static void name_mission(plan *p, const char *mission) {
+  const char *slash = strrchr(mission, '/');
+  const char *name = learnt.p.in.name[0] != '\0' ? learnt.p.in.name : slash != NULL ? slash + 1 : mission;
+  snprintf(p->name, sizeof p->name, "%s", name);
+}
+
+int plan_make(plan *p, const char *mission, const char *table_path, int robots, double seconds, const char *save,
+              fault *why) {
+  static options o;
+  if (read_mission(&o, mission, robots, why) != 0) return -1;
+  name_mission(p, mission);
+  const int status = table_path != NULL ? read_table(&p->t, table_path, &o, why) : learn_table(&p->t, &o, seconds, why);
+  if (status != 0) return -1;
+  survey(p);
+  if (save_table(&p->t, save, why) == 0) return 0;
+  plan_free(p);
+  return -1;
+}
+
+void plan_free(plan *p) {
+  table_free(&p->t);
+}
+
+double plan_found_by(const plan *p, double step) {
+  double probability = 0.0;
+  for (unsigned place = 0; place < p->t.policy.board.places; place++)
+    if (p->step[place] != QTR_NEVER && p->step[place] <= step) probability += p->likelihood[place];
+  return probability;
+}

@@ -1,0 +1,28 @@
+/* The plan of a mission: the policy table that the robots run, learnt on the spot or read from a file. */
+#ifndef QUARTER_DEMO_PLAN_H
+#define QUARTER_DEMO_PLAN_H
+
+#include "fault.h"
+#include "table.h"
+
+typedef struct {
+  table t;
+  char name[128];                       /* of the mission */
+  double likelihood[QTR_MAX_PLACES];
+  table_route routes[QTR_MAX_SEEKERS];
+  int territory[QTR_MAX_PLACES];        /* seeker whose route holds the place; -1: nobody's */
+  qtr_steps step[QTR_MAX_PLACES];       /* of the planned visit; QTR_NEVER: none */
+  double expected_step;                 /* of the find */
+} plan;
+
+/* Learn the mission's plan, for at most `seconds`, or read it from `table_path` (NULL: learn), which must be a table of this
+ * very mission. `robots` 0: as the mission says. `save` (NULL: nowhere) names a file to write the table to. 0, or -1 with
+ * *why set and nothing to free. */
+int plan_make(plan *p, const char *mission, const char *table_path, int robots, double seconds, const char *save,
+              fault *why);
+void plan_free(plan *p);
+
+/* P(found by step), if all goes as planned. */
+double plan_found_by(const plan *p, double step);
+
+#endif

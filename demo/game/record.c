@@ -1,0 +1,311 @@
+#include "record.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "json.h"
+#include "outfile.h"
+#include "viewer_page.h"
+
+#define TURN 6.283185307179586
+
+/* ---- taking it down ---- */
+
+void record_begin(record *r, const plan *p) {
+  *r = (record){.p = p, .robots = p->t.policy.board.seekers};
+}
+
+void record_free(record *r) {
+  for (int i = 0; i < r->robots; i++) free(r->track[i]);
+  r->robots = 0;
+}
+
+static bool make_room(record *r) {
+  if (r->samples < r->room) return true;
+  const size_t room = r->room > 0 ? 2 * r->room : 1024;
+  for (int i = 0; i < r->robots; i++) {
+    record_sample *more = realloc(r->track[i], room * sizeof *more);
+    if (more == NULL) return false;
+    r->track[i] = more;
+  }
+  r->room = room;
+  return true;
+}
+
+static record_sample sample_of(const arena *a, int robot) {
+  const world_pose pose = world_pose_of(a->w, robot);
+  return (record_sample){(int16_t)lround(100 * pose.at.x), (int16_t)lround(100 * (a->g.grid.rows - pose.at.y)),
+                         (int16_t)lround(100 * remainder(pose.heading, TURN))};
+}
+
+void record_watch(void *user, const arena *a) {
+  record *r = user;
+  if (r->full || a->now + 1e-9 < r->next) return;
+  r->next += RECORD_TICK;
+  if (!make_room(r)) {
+    r->full = true;
+    return;
+  }
+  for (int i = 0; i < r->robots; i++) r->track[i][r->samples] = sample_of(a, i);
+  r->samples++;
+}
+
+/* ---- as JSON ---- */
+
+static point middle_of(const plan *p, qtr_cell cell) {
+  return (point){cell % p->t.policy.grid.columns + 0.5, cell / p->t.policy.grid.columns + 0.5};
+}
+
+static void write_point(json *j, const char *key, point at) {
+  json_flat_array(j, key);
+  json_number(j, NULL, at.x);
+  json_number(j, NULL, at.y);
+  json_end_array(j);
+}
+
+static void write_map(json *j, const plan *p) {
+  const qtr_grid *grid = &p->t.policy.grid;
+  char *row = malloc(grid->columns + 1u);
+  json_object(j, "map");
+  json_integer(j, "columns", grid->columns);
+  json_integer(j, "rows", grid->rows);
+  json_number(j, "cell_size", ground_of(&p->t.policy).cell_size);
+  json_array(j, "rows_text");
+  for (unsigned r = 0; row != NULL && r < grid->rows; r++) json_string(j, NULL, table_map_row(row, grid, r));
+  json_end_array(j);
+  json_end_object(j);
+  free(row);
+}
+
+static void write_seconds(json *j, const char *key, double seconds) {
+  if (seconds >= 0.0)
+    json_number(j, key, round(1000 * seconds) / 1000);
+  else
+    json_null(j, key);
+}
+
+static double planned_at(const plan *p, int place) {
+  return place >= 0 && p->step[place] != QTR_NEVER ? p->step[place] * game_step_seconds() : -1.0;
+}
+
+static void write_places(json *j, const plan *p) {
+  json_array(j, "places");
+  for (int place = 0; place < p->t.policy.board.places; place++) {
+    const point at = middle_of(p, qtr_policy_cell(&p->t.policy, (unsigned)place));
+    json_flat_object(j, NULL);
+    json_number(j, "x", at.x);
+    json_number(j, "y", at.y);
+    json_number(j, "likelihood", p->likelihood[place]);
+    json_integer(j, "territory", p->territory[place]);
+    write_seconds(j, "planned", planned_at(p, place));
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+static void write_starts(json *j, const plan *p) {
+  const qtr_board *board = &p->t.policy.board;
+  json_array(j, "starts");
+  for (int i = 0; i < board->seekers; i++)
+    write_point(j, NULL, middle_of(p, qtr_policy_cell(&p->t.policy, (unsigned)board->places + board->start_of[i])));
+  json_end_array(j);
+}
+
+/* A route as the cells it leads through. */
+static void write_route(json *j, const plan *p, int seeker, qtr_field *way) {
+  const qtr_policy *policy = &p->t.policy;
+  const table_route *route = &p->routes[seeker];
+  qtr_cell cell = qtr_policy_cell(policy, (unsigned)policy->board.places + policy->board.start_of[seeker]);
+  json_flat_array(j, NULL);
+  write_point(j, NULL, middle_of(p, cell));
+  for (int i = 0; i < route->places; i++) {
+    const qtr_cell goal = qtr_policy_cell(policy, route->place[i]);
+    qtr_field_fill(way, &policy->grid, goal);
+    while (cell != goal && cell != QTR_NO_CELL) {
+      cell = qtr_field_next(way, &policy->grid, cell);
+      write_point(j, NULL, middle_of(p, cell));
+    }
+  }
+  json_end_array(j);
+}
+
+static void write_routes(json *j, const plan *p) {
+  qtr_field *way = malloc(sizeof *way);
+  json_array(j, "routes");
+  for (int i = 0; way != NULL && i < p->t.policy.board.seekers; i++) write_route(j, p, i, way);
+  json_end_array(j);
+  free(way);
+}
+
+/* The staircase of P(found by t) under the plan. */
+static void write_plan(json *j, const plan *p) {
+  const double last = p->t.policy.board.places > 0 ? 1e9 : 0.0;
+  double step = -1.0;
+  json_flat_array(j, "plan");
+  for (;;) {
+    double next = last;
+    for (int place = 0; place < p->t.policy.board.places; place++)
+      if (p->step[place] != QTR_NEVER && p->step[place] > step && p->step[place] < next) next = p->step[place];
+    if (next >= last) break;
+    step = next;
+    write_point(j, NULL, (point){step * game_step_seconds(), plan_found_by(p, step)});
+  }
+  json_end_array(j);
+}
+
+static void write_track(json *j, const record *r, int robot) {
+  static const char *const keys[] = {"x", "y", "heading"};
+  json_object(j, NULL);
+  for (int key = 0; key < 3; key++) {
+    json_flat_array(j, keys[key]);
+    for (size_t i = 0; i < r->samples; i++) {
+      const record_sample *s = &r->track[robot][i];
+      json_integer(j, NULL, key == 0 ? s->x : key == 1 ? s->y : s->heading);
+    }
+    json_end_array(j);
+  }
+  json_end_object(j);
+}
+
+/* ---- what happened ---- */
+
+static void describe(char text[120], const arena_event *e) {
+  switch (e->kind) {
+  case EVENT_SCANNED: snprintf(text, 120, "robot %d scanned place %d: clear", e->robot, e->place); break;
+  case EVENT_FOUND: snprintf(text, 120, "robot %d found it at place %d", e->robot, e->place); break;
+  case EVENT_DONE: snprintf(text, 120, "territory %d is done", e->territory); break;
+  case EVENT_STOPPED: snprintf(text, 120, "robot %d stopped", e->robot); break;
+  case EVENT_LOST: snprintf(text, 120, "robot %d is lost", e->robot); break;
+  case EVENT_STUCK: snprintf(text, 120, "robot %d is stuck", e->robot); break;
+  case EVENT_UNSTUCK: snprintf(text, 120, "robot %d drives again", e->robot); break;
+  case EVENT_SLIP: snprintf(text, 120, "robot %d's wheels slip by up to %.0f %%", e->robot, 100 * e->share); break;
+  case EVENT_LOSS: snprintf(text, 120, "%.0f %% of the signals are lost from now on", 100 * e->share); break;
+  default: snprintf(text, 120, "robot %d makes no way", e->robot);
+  }
+}
+
+static void write_event(json *j, const arena_event *e) {
+  static const char *const kinds[] = {
+      [EVENT_SCANNED] = "scanned", [EVENT_FOUND] = "found",     [EVENT_DONE] = "territory_done", [EVENT_STOPPED] = "stopped",
+      [EVENT_LOST] = "lost",       [EVENT_STUCK] = "stuck",     [EVENT_UNSTUCK] = "unstuck",     [EVENT_SLIP] = "slip",
+      [EVENT_LOSS] = "loss",       [EVENT_DEADLOCK] = "deadlock"};
+  char text[120];
+  describe(text, e);
+  json_flat_object(j, NULL);
+  write_seconds(j, "t", e->at);
+  json_string(j, "kind", kinds[e->kind]);
+  if (e->robot >= 0) json_integer(j, "robot", e->robot);
+  if (e->place >= 0) json_integer(j, "place", e->place);
+  if (e->territory >= 0) json_integer(j, "territory", e->territory);
+  json_string(j, "text", text);
+  json_end_object(j);
+}
+
+void record_result(json *j, const plan *p, const game_result *result) {
+  json_object(j, "result");
+  write_seconds(j, "found_at", result->found_at);
+  write_seconds(j, "planned_at", planned_at(p, result->mine));
+  write_seconds(j, "all_stopped_at", result->all_stopped_at);
+  json_integer(j, "scanned", result->scanned);
+  json_integer(j, "duplicates", result->duplicates);
+  json_integer(j, "collisions", result->collisions);
+  json_integer(j, "deadlocks", result->deadlocks);
+  json_flat_object(j, "messages");
+  json_natural(j, "pose", result->counts.sent[KIND_POSE]);
+  json_natural(j, "scan", result->counts.sent[KIND_SCAN]);
+  json_natural(j, "command", result->counts.sent[KIND_COMMAND]);
+  json_natural(j, "terminate", result->counts.sent[KIND_TERMINATE]);
+  json_natural(j, "lost", result->counts.lost);
+  json_natural(j, "ignored", result->counts.ignored);
+  json_end_object(j);
+  json_end_object(j);
+}
+
+static void write_game(json *j, const record *r, const arena *a, const game_result *result) {
+  json_number(j, "duration", result->duration);
+  json_number(j, "tick", RECORD_TICK);
+  json_array(j, "tracks");
+  for (int i = 0; i < r->robots; i++) write_track(j, r, i);
+  json_end_array(j);
+  json_array(j, "events");
+  for (int i = 0; i < a->events; i++) write_event(j, &a->event[i]);
+  json_end_array(j);
+  record_result(j, r->p, result);
+}
+
+static void write_head(json *j, const record *r, const arena *a, uint64_t seed) {
+  const plan *p = r->p;
+  json_integer(j, "format", 1);
+  json_string(j, "title", p->name);
+  json_string(j, "mission", p->name);
+  json_natural(j, "seed", seed);
+  json_string(j, "mode", a->setup.clear_all ? "clear" : "find");
+  write_map(j, p);
+  json_integer(j, "robots", r->robots);
+  json_number(j, "robot_radius", WORLD_ROBOT_RADIUS);
+  write_starts(j, p);
+  write_places(j, p);
+  json_flat_array(j, "mines");
+  if (a->mine >= 0) json_integer(j, NULL, a->mine);
+  json_end_array(j);
+  write_routes(j, p);
+  write_plan(j, p);
+}
+
+void record_json(FILE *out, const record *r, const arena *a, const game_result *result, uint64_t seed, bool live) {
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  if (live) json_bool(&j, "live", true);
+  write_head(&j, r, a, seed);
+  if (!live) write_game(&j, r, a, result);
+  json_end_object(&j);
+}
+
+void record_event(FILE *out, const arena_event *e) {
+  json j;
+  json_begin(&j, out);
+  write_event(&j, e);
+}
+
+/* ---- as a page ---- */
+
+static const char hole[] = "<script id=\"replay\" type=\"application/json\">null</script>";
+
+/* In a page, "</" would end the script that holds the data. */
+static void put_escaped(FILE *out, const char *text) {
+  for (; *text != '\0'; text++) {
+    fputc(*text, out);
+    if (text[0] == '<' && text[1] == '/') fputc('\\', out);
+  }
+}
+
+static void put_page(FILE *out, const char *data) {
+  const char *page = (const char *)viewer_page;
+  const char *end = strstr(strstr(page, hole), "null");
+  fwrite(page, 1, (size_t)(end - page), out);
+  put_escaped(out, data);
+  fputs(end + strlen("null"), out);
+}
+
+int record_page(const char *path, const record *r, const arena *a, const game_result *result, uint64_t seed, fault *why) {
+  outfile out;
+  char *data = NULL;
+  size_t size = 0;
+  FILE *memory = open_memstream(&data, &size);
+  if (memory == NULL) return fault_set(why, "%s: no memory for the replay", path);
+  record_json(memory, r, a, result, seed, false);
+  fclose(memory);
+  int status = outfile_open(&out, path, why);
+  if (status == 0) {
+    put_page(out.file, data);
+    status = outfile_commit(&out, why);
+  }
+  free(data);
+  return status;
+}
+
+void record_live_page(FILE *out) {
+  put_page(out, "{\"live\": true}");
+}

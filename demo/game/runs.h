@@ -1,0 +1,30 @@
+/* Many seeded games of one mission, in figures. */
+#ifndef QUARTER_DEMO_RUNS_H
+#define QUARTER_DEMO_RUNS_H
+
+#include <stdio.h>
+
+#include "game.h"
+#include "plan.h"
+
+typedef struct {
+  int games, found, deadlocked; /* deadlocked: games with a robot that made no way for long */
+  double *found_at;             /* seconds, of the games in which it was found, in rising order */
+  double mean, planned_mean;    /* seconds; planned: of the same mines */
+  double expected;              /* seconds: the plan's expected time to find */
+  uint64_t scanned, duplicates, collisions, deadlocks;
+  double simulated, wall;       /* seconds in all */
+  uint64_t sent[KINDS];
+  uint64_t *visits;             /* of each place */
+} runs_figures;
+
+/* Play `games` games with seeds from setup->arena.seed on. With `lose_one` a robot, drawn by the seed, is lost at a moment
+ * drawn from the plan's time. 0, or -1 with *why set. Ends early if interrupted. */
+int runs_play(runs_figures *f, const plan *p, const game_setup *setup, int games, bool lose_one,
+              const volatile int *interrupted, bool quiet, fault *why);
+void runs_free(runs_figures *f);
+
+/* The time by which this share of the finds had happened. */
+double runs_quantile(const runs_figures *f, double share);
+
+#endif

@@ -1,0 +1,157 @@
+#include "launch.h"
+
+#include <errno.h>
+#include <libgen.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "world.h"
+
+#define WORDS_MOST 40
+
+typedef struct {
+  char folder[PATH_MAX]; /* of the programs */
+  char table[64];        /* a file of the policy table, for all of them */
+  pid_t world;
+  pid_t robot[WORLD_MOST_ROBOTS];
+  int robots;
+} crew;
+
+/* ---- starting ---- */
+
+static int find_programs(crew *c, fault *why) {
+  char self[PATH_MAX];
+  const ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
+  if (length < 0) return fault_set(why, "the programs beside quarter-demo cannot be found: %s", strerror(errno));
+  self[length] = '\0';
+  snprintf(c->folder, sizeof c->folder, "%s", dirname(self));
+  return 0;
+}
+
+static int write_table(crew *c, const plan *p, fault *why) {
+  snprintf(c->table, sizeof c->table, "/tmp/quarter-demo-XXXXXX");
+  const int file = mkstemp(c->table);
+  if (file < 0) return fault_set(why, "%s: cannot be written: %s", c->table, strerror(errno));
+  const ssize_t written = write(file, p->t.bytes.data, p->t.bytes.size);
+  close(file);
+  return written == (ssize_t)p->t.bytes.size ? 0 : fault_set(why, "%s: cannot be written whole", c->table);
+}
+
+/* Each child is a process group of its own: Ctrl-C reaches the launcher alone, which ends them in order. */
+static pid_t start(const crew *c, const char *program, const char *const *words) {
+  char path[PATH_MAX + 32];
+  snprintf(path, sizeof path, "%s/%s", c->folder, program);
+  const pid_t child = fork();
+  if (child != 0) return child;
+  setpgid(0, 0);
+  execv(path, (char *const *)(uintptr_t)words);
+  fprintf(stderr, "quarter: %s: %s\n", path, strerror(errno));
+  _exit(127);
+}
+
+/* The words of a command line, as many as there are. */
+typedef struct {
+  int count;
+  const char *word[WORDS_MOST];
+} words;
+
+static void add(words *w, const char *word) {
+  if (w->count + 1 < WORDS_MOST) w->word[w->count++] = word;
+}
+
+static void add_pair(words *w, const char *name, const char *value) {
+  if (value == NULL) return;
+  add(w, name);
+  add(w, value);
+}
+
+static void add_mark(words *w, const char *name, bool given) {
+  if (given) add(w, name);
+}
+
+static pid_t start_world(const crew *c, const settings *s) {
+  char seed[32], speed[32], mine[16], robots[16], json[PATH_MAX + 16];
+  words w = {0, {NULL}};
+  snprintf(seed, sizeof seed, "%llu", (unsigned long long)s->seed);
+  snprintf(speed, sizeof speed, "%.17g", s->speed > 0.0 ? s->speed : 1.0);
+  snprintf(mine, sizeof mine, s->mine == -2 ? "none" : "%d", s->mine);
+  snprintf(robots, sizeof robots, "%d", s->robots);
+  snprintf(json, sizeof json, s->json_path != NULL ? "--json=%s" : "--json", s->json_path);
+  add(&w, "quarter-world");
+  add(&w, s->mission);
+  add_pair(&w, "--table", c->table);
+  add_pair(&w, "--seed", seed);
+  add_pair(&w, "--speed", speed);
+  add_pair(&w, "-o", s->replay);
+  add_pair(&w, "--log", s->log);
+  add_pair(&w, "--faults", s->faults);
+  add_pair(&w, "--lcm-url", s->lcm_url);
+  add_pair(&w, "--mine", s->mine != -1 ? mine : NULL);
+  add_pair(&w, "--robots", s->robots > 0 ? robots : NULL);
+  add_mark(&w, json, s->json);
+  add_mark(&w, "--quiet", s->quiet);
+  add_mark(&w, "--clear-all", s->clear_all);
+  return start(c, "quarter-world", w.word);
+}
+
+static pid_t start_robot(const crew *c, const settings *s, int number) {
+  char self[16];
+  words w = {0, {NULL}};
+  snprintf(self, sizeof self, "%d", number);
+  add(&w, "quarter-robot");
+  add(&w, c->table);
+  add_pair(&w, "--robot", self);
+  add_pair(&w, "--lcm-url", s->lcm_url);
+  add_mark(&w, "--clear-all", s->clear_all);
+  return start(c, "quarter-robot", w.word);
+}
+
+/* ---- watching and ending ---- */
+
+static void end_robots(crew *c) {
+  for (int i = 0; i < c->robots; i++)
+    if (c->robot[i] > 0) kill(c->robot[i], SIGTERM);
+  for (int i = 0; i < c->robots; i++)
+    if (c->robot[i] > 0) waitpid(c->robot[i], NULL, 0);
+}
+
+static void note_end_of_robot(crew *c, pid_t child, int status) {
+  for (int i = 0; i < c->robots; i++) {
+    if (c->robot[i] != child) continue;
+    c->robot[i] = 0;
+    fprintf(stderr, "quarter-demo: robot %d's process ended (%s %d)\n", i, WIFSIGNALED(status) ? "signal" : "status",
+            WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+  }
+}
+
+/* Until the world ends. Returns its wait status. */
+static int watch(crew *c, const volatile int *interrupted) {
+  bool told = false;
+  for (;;) {
+    int status = 0;
+    if (*interrupted != 0 && !told) kill(c->world, SIGINT);
+    told = *interrupted != 0;
+    const pid_t child = waitpid(-1, &status, 0);
+    if (child == c->world) return status;
+    if (child > 0) note_end_of_robot(c, child, status);
+    if (child < 0 && errno != EINTR) return -1;
+  }
+}
+
+int launch(const settings *s, const plan *p, const volatile int *interrupted, fault *why) {
+  crew c = {.robots = p->t.policy.board.seekers};
+  if (find_programs(&c, why) != 0 || write_table(&c, p, why) != 0) return -1;
+  fflush(NULL);
+  c.world = start_world(&c, s);
+  for (int i = 0; i < c.robots; i++) c.robot[i] = start_robot(&c, s, i);
+  const int status = c.world > 0 ? watch(&c, interrupted) : -1;
+  end_robots(&c);
+  unlink(c.table);
+  if (*interrupted != 0 || (status >= 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0)) return 0;
+  return fault_set(why, "the world's process did not end well (see above)");
+}

@@ -1,0 +1,12 @@
+/* A game in processes of their own: one for the world, one for each robot, started, watched and ended together. */
+#ifndef QUARTER_DEMO_LAUNCH_H
+#define QUARTER_DEMO_LAUNCH_H
+
+#include "plan.h"
+#include "settings.h"
+
+/* Play it, all processes on the settings' bus. The world writes replay, log and outcome. When it ends, however it ends, the
+ * robots are ended; when interrupted, the world is asked to finish first. 0, or -1 with *why set. */
+int launch(const settings *s, const plan *p, const volatile int *interrupted, fault *why);
+
+#endif

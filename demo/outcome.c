@@ -1,0 +1,44 @@
+#include "outcome.h"
+
+#include "outfile.h"
+#include "record.h"
+
+static void write_outcome(FILE *out, const plan *p, const game_result *result, const settings *s) {
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "mission", p->name);
+  json_natural(&j, "seed", s->seed);
+  json_integer(&j, "robots", p->t.policy.board.seekers);
+  json_integer(&j, "mine", result->mine);
+  json_number(&j, "duration", result->duration);
+  json_number(&j, "times_real_time", result->duration / result->wall_seconds);
+  record_result(&j, p, result);
+  json_end_object(&j);
+}
+
+static void tell_outcome(FILE *out, const plan *p, const game_result *r, const settings *s) {
+  const double planned = r->mine >= 0 && p->step[r->mine] != QTR_NEVER ? p->step[r->mine] * game_step_seconds() : -1.0;
+  fprintf(out, "%s, seed %llu: ", p->name, (unsigned long long)s->seed);
+  if (r->found_at >= 0.0)
+    fprintf(out, "found at place %d after %.1f s, planned %.1f s", r->mine, r->found_at, planned);
+  else
+    fprintf(out, "nothing found");
+  if (r->all_stopped_at >= 0.0) fprintf(out, "; all stopped at %.1f s", r->all_stopped_at);
+  fprintf(out, "\n%d places scanned, %d of them twice, %d collisions, %llu termination signals sent, %.0f times real time\n",
+          r->scanned, r->duplicates, r->collisions, (unsigned long long)r->counts.sent[KIND_TERMINATE],
+          r->duration / r->wall_seconds);
+  if (s->replay != NULL) fprintf(out, "wrote %s: open it in a web browser\n", s->replay);
+  if (s->log != NULL) fprintf(out, "wrote %s\n", s->log);
+}
+
+int outcome_print(const plan *p, const game_result *result, const settings *s, fault *why) {
+  outfile out;
+  if (s->json) {
+    if (outfile_open(&out, s->json_path != NULL ? s->json_path : "-", why) != 0) return -1;
+    write_outcome(out.file, p, result, s);
+    if (outfile_commit(&out, why) != 0) return -1;
+  }
+  if (!s->quiet && !(s->json && s->json_path == NULL)) tell_outcome(stdout, p, result, s);
+  return 0;
+}

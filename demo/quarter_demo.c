@@ -1,0 +1,193 @@
+/* The demo: a mission is learnt, and robots sweep it in a physical world, with nothing but termination between them. */
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "json.h"
+#include "launch.h"
+#include "live.h"
+#include "outcome.h"
+#include "outfile.h"
+#include "record.h"
+#include "runs.h"
+#include "settings.h"
+
+static const char help[] =
+    "quarter-demo demo/missions/minefield/mission.yaml -o replay.html      learn, play a game, watch it in a browser\n"
+    "quarter-demo MISSION -o replay.html --faults faults.yaml              with robots lost or stuck, signals lost\n"
+    "quarter-demo MISSION --live                                           watch it while it runs\n"
+    "quarter-demo MISSION --processes --log game.lcm                       a process a robot, over udpm\n"
+    "quarter-demo MISSION --runs 1000 --json                               many games, in figures\n"
+    "\n"
+    "  -o, --output FILE.html   the game as a page that plays it\n"
+    "      --log FILE           all messages as an LCM log, for lcm-logplayer and others\n"
+    "      --seed N             of the mine's place, noise and losses (default 1): same seed, same game\n"
+    "      --mine P             where the mine lies: a place, or none (default: drawn by the likelihoods)\n"
+    "      --clear-all          a find stops nobody: the mission ends when all territories are done\n"
+    "      --faults FILE        what goes wrong, when: see demo/missions/minefield/faults.yaml\n"
+    "      --robots K           K robots, where the mission has one start\n"
+    "      --table FILE         run this policy table instead of learning one; it must be the mission's\n"
+    "      --save-table FILE    write the table\n"
+    "      --learn-limit S      seconds to learn at most (default 10)\n"
+    "      --speed X            X times real time (default: as fast as the machine can; 1 with --live or --processes)\n"
+    "      --live [--port N]    serve the viewer on this machine alone, while the game runs\n"
+    "      --processes          a process for each robot and one for the world, over --lcm-url\n"
+    "      --lcm-url URL        default: LCM_DEFAULT_URL, or udpm on this machine\n"
+    "      --runs N             N games with seeds from --seed on\n"
+    "      --lose-one           with --runs: in each game a robot is lost at a random time\n"
+    "      --strategy WHAT      plan (default); to compare: nearest (no plan), informed (no plan, full communication)\n"
+    "      --json[=FILE]        print the outcome as JSON, or write it to FILE\n"
+    "  -q, --quiet              say nothing but JSON\n"
+    "\n"
+    "Exit status: 0 done; 2 bad input; 130 ended by Ctrl-C, replay and log whole.\n";
+
+static volatile int interrupted;
+static plan p;
+
+static void on_interrupt(int number) {
+  interrupted = 128 + number;
+}
+
+static void catch_interrupts(void) {
+  struct sigaction action;
+  memset(&action, 0, sizeof action);
+  action.sa_handler = on_interrupt;
+  sigaction(SIGINT, &action, NULL);
+  sigaction(SIGTERM, &action, NULL);
+}
+
+/* ---- one game ---- */
+
+typedef struct {
+  const settings *s;
+  record r;
+  live *view; /* NULL: none */
+} show;
+
+static void watch(void *user, const arena *a) {
+  show *w = user;
+  record_watch(&w->r, a);
+  if (w->view != NULL) live_frame(w->view, &w->r, a, w->s->seed);
+}
+
+static int finish(void *user, const arena *a, const game_result *result, fault *why) {
+  show *w = user;
+  if (w->view != NULL) live_end(w->view, &w->r, a, result);
+  return w->s->replay != NULL ? record_page(w->s->replay, &w->r, a, result, w->s->seed, why) : 0;
+}
+
+static int play(const settings *s, const fault_script *faults, fault *why) {
+  show w = {.s = s};
+  game_result result;
+  const game_setup setup = {.t = &p.t,
+                            .strategy = s->strategy,
+                            .log = s->log,
+                            .user = &w,
+                            .watch = watch,
+                            .finish = finish,
+                            .speed = s->live && s->speed <= 0.0 ? 1.0 : s->speed,
+                            .arena = {s->seed, s->clear_all, s->mine, faults, 4 * game_plan_seconds(&p.t) + 120}};
+  record_begin(&w.r, &p);
+  int status = s->live ? live_open(&w.view, s->port, why) : 0;
+  if (status == 0 && w.view != NULL) live_await(w.view, LIVE_PATIENCE, &interrupted);
+  if (status == 0) status = game_play(&setup, &result, &interrupted, why);
+  live_close(w.view);
+  record_free(&w.r);
+  if (status != 0) return -1;
+  return outcome_print(&p, &result, s, why);
+}
+
+/* ---- many games ---- */
+
+static void write_figures(FILE *out, const runs_figures *f, const settings *s) {
+  static const char *const strategies[] = {"plan", "nearest", "informed"};
+  static const char *const kinds[KINDS] = {"pose", "scan", "command", "terminate", "status"};
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "mission", p.name);
+  json_string(&j, "strategy", strategies[s->strategy]);
+  json_integer(&j, "robots", p.t.policy.board.seekers);
+  json_bool(&j, "lose_one", s->lose_one);
+  json_natural(&j, "first_seed", s->seed);
+  json_integer(&j, "games", f->games);
+  json_integer(&j, "found", f->found);
+  json_number(&j, "mean", f->mean);
+  json_number(&j, "planned_mean", f->planned_mean);
+  json_number(&j, "expected", f->expected);
+  json_number(&j, "median", runs_quantile(f, 0.5));
+  json_number(&j, "quantile_90", runs_quantile(f, 0.9));
+  json_number(&j, "longest", runs_quantile(f, 1.0));
+  json_integer(&j, "games_with_deadlock", f->deadlocked);
+  json_natural(&j, "deadlocks", f->deadlocks);
+  json_number(&j, "collisions_a_game", (double)f->collisions / f->games);
+  json_number(&j, "scanned_a_game", (double)f->scanned / f->games);
+  json_number(&j, "duplicates_a_game", (double)f->duplicates / f->games);
+  json_number(&j, "times_real_time", f->simulated / f->wall);
+  json_flat_object(&j, "messages");
+  for (int kind = 0; kind < KINDS; kind++) json_natural(&j, kinds[kind], f->sent[kind]);
+  json_end_object(&j);
+  json_flat_array(&j, "visits");
+  for (int place = 0; place < p.t.policy.board.places; place++) json_natural(&j, NULL, f->visits[place]);
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+static void tell_figures(FILE *out, const runs_figures *f, const settings *s) {
+  static const char *const strategies[] = {"the plan", "nearest first, no plan", "nearest first, full communication"};
+  fprintf(out, "%s, %s%s: %d games, found in %d\n", p.name, strategies[s->strategy], s->lose_one ? ", one robot lost" : "",
+          f->games, f->found);
+  fprintf(out, "time to find: mean %.2f s (planned for the same mines %.2f, expected %.2f), median %.1f, 90 %% %.1f, most %.1f\n",
+          f->mean, f->planned_mean, f->expected, runs_quantile(f, 0.5), runs_quantile(f, 0.9), runs_quantile(f, 1.0));
+  fprintf(out, "a game: %.2f places scanned, %.3f of them again, %.3f collisions; games with a deadlock: %d; %.0f times real time\n",
+          (double)f->scanned / f->games, (double)f->duplicates / f->games, (double)f->collisions / f->games, f->deadlocked,
+          f->simulated / f->wall);
+}
+
+static int print_figures(const runs_figures *f, const settings *s, fault *why) {
+  outfile out;
+  if (outfile_open(&out, s->json && s->json_path != NULL ? s->json_path : "-", why) != 0) return -1;
+  if (s->json)
+    write_figures(out.file, f, s);
+  else if (!s->quiet)
+    tell_figures(out.file, f, s);
+  return outfile_commit(&out, why);
+}
+
+static int play_many(const settings *s, const fault_script *faults, fault *why) {
+  runs_figures f;
+  const game_setup setup = {.t = &p.t,
+                            .strategy = s->strategy,
+                            .arena = {s->seed, s->clear_all, s->mine, faults,
+                                      (4 + 4 * p.t.policy.board.seekers) * game_plan_seconds(&p.t) + 300}};
+  int status = runs_play(&f, &p, &setup, s->runs, s->lose_one, &interrupted, s->quiet, why);
+  if (status == 0 && f.games > 0) status = print_figures(&f, s, why);
+  runs_free(&f);
+  return status;
+}
+
+/* ---- the command ---- */
+
+static int run(const settings *s, fault *why) {
+  fault_script faults = {0};
+  if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, s->save, why) != 0) return -1;
+  int status = s->faults != NULL ? faults_read(&faults, s->faults, p.t.policy.board.seekers, why) : 0;
+  if (status == 0 && s->mine >= p.t.policy.board.places)
+    status = fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, p.t.policy.board.places - 1);
+  if (status == 0 && s->processes)
+    status = launch(s, &p, &interrupted, why);
+  else if (status == 0)
+    status = s->runs > 0 ? play_many(s, &faults, why) : play(s, &faults, why);
+  plan_free(&p);
+  return status;
+}
+
+int main(int argc, char **argv) {
+  static settings s;
+  fault why;
+  if (settings_parse(&s, argc, argv, &why) != 0) return fault_exit(&why);
+  if (s.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  catch_interrupts();
+  if (run(&s, &why) != 0) return fault_exit(&why);
+  return interrupted != 0 ? interrupted : EXIT_SUCCESS;
+}

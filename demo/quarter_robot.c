@@ -1,0 +1,146 @@
+/* One robot as a program of its own: a policy table, a bus, and nothing else of Quarter than the robot side. */
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "bus.h"
+#include "robot.h"
+
+#define TABLE_MOST (64u << 20)
+#define PATIENCE 15 /* seconds for a world to show itself */
+#define SILENCE 5   /* seconds without one after which it is gone */
+
+static const char help[] =
+    "quarter-robot mission.qtr --robot 0         robot 0 of the table's, on the bus that LCM_DEFAULT_URL names\n"
+    "\n"
+    "It hears its own pose and scan and TERMINATE, and says its own command and TERMINATE. Start quarter-world first.\n"
+    "\n"
+    "      --robot N       which robot, from 0\n"
+    "      --lcm-url URL   the bus (default: LCM_DEFAULT_URL, or udpm on this machine)\n"
+    "      --clear-all     a find stops nobody\n"
+    "\n"
+    "Exit status: 0 its world is over; 2 bad input; 3 no world on the bus.\n";
+
+typedef struct {
+  const char *table, *url;
+  int self;
+  bool clear_all;
+} words;
+
+static volatile sig_atomic_t ended;
+static qtr_policy policy;
+static qtr_seeker seeker;
+static robot self;
+static time_t last_heard;
+
+static void on_end(int number) {
+  (void)number;
+  ended = 1;
+}
+
+static int complain(const char *what, const char *why) {
+  fprintf(stderr, "quarter-robot: %s: %s\n", what, why);
+  return 2;
+}
+
+/* ---- the bus ---- */
+
+static void say_command(void *user, const message_command *m) {
+  bus_send_command(user, m);
+}
+
+static void say_terminate(void *user, const message_terminate *m) {
+  bus_send_terminate(user, m);
+}
+
+static void hear_pose(void *user, const message_pose *m) {
+  last_heard = time(NULL);
+  robot_hear_pose(user, m);
+}
+
+static void hear_scan(void *user, const message_scan *m) {
+  robot_hear_scan(user, m);
+}
+
+static void hear_terminate(void *user, const message_terminate *m) {
+  robot_hear_terminate(user, m);
+}
+
+/* Until the world is over. Its exit status. */
+static int run(bus *b, const words *w) {
+  const time_t begin = time(NULL);
+  const robot_voice voice = {b, say_command, say_terminate};
+  robot_init(&self, &policy, w->self, w->clear_all, robot_pilot_of_plan(&seeker), voice);
+  bus_hear_pose(b, w->self, hear_pose, &self);
+  bus_hear_scan(b, w->self, hear_scan, &self);
+  bus_hear_terminate(b, hear_terminate, &self);
+  while (!ended) {
+    bus_wait(b, 100);
+    const time_t now = time(NULL);
+    if (last_heard == 0 && now - begin > PATIENCE) {
+      complain("no world on this bus", "start quarter-world first, on the same --lcm-url");
+      return 3;
+    }
+    if (last_heard != 0 && now - last_heard > SILENCE) break;
+  }
+  return 0;
+}
+
+/* ---- the table ---- */
+
+static void *read_whole(const char *path, uint32_t *size) {
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) return NULL;
+  void *bytes = malloc(TABLE_MOST);
+  *size = bytes != NULL ? (uint32_t)fread(bytes, 1, TABLE_MOST, file) : 0;
+  fclose(file);
+  return bytes;
+}
+
+static int parse(words *w, int argc, char **argv) {
+  static const struct option longs[] = {{"robot", required_argument, NULL, 'r'},
+                                        {"lcm-url", required_argument, NULL, 'u'},
+                                        {"clear-all", no_argument, NULL, 'c'},
+                                        {"help", no_argument, NULL, 'h'},
+                                        {NULL, 0, NULL, 0}};
+  int letter;
+  *w = (words){.self = -1};
+  while ((letter = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
+    switch (letter) {
+    case 'r': w->self = optarg[0] >= '0' && optarg[0] <= '9' ? atoi(optarg) : -1; break;
+    case 'u': w->url = optarg; break;
+    case 'c': w->clear_all = true; break;
+    default: return letter == 'h' ? 1 : -1;
+    }
+  }
+  w->table = optind + 1 == argc ? argv[optind] : NULL;
+  return w->table != NULL && w->self >= 0 ? 0 : -1;
+}
+
+int main(int argc, char **argv) {
+  words w;
+  uint32_t size = 0;
+  bus *b;
+  fault why;
+  const int asked = parse(&w, argc, argv);
+  if (asked != 0) {
+    fputs(help, asked > 0 ? stdout : stderr);
+    return asked > 0 ? 0 : 2;
+  }
+  void *bytes = read_whole(w.table, &size);
+  if (bytes == NULL) return complain(w.table, "cannot be read");
+  int status = qtr_policy_open(&policy, bytes, size);
+  if (status != QTR_OK) return complain(w.table, qtr_strerror(status));
+  status = qtr_seeker_init(&seeker, &policy, (unsigned)w.self, NULL);
+  if (status != QTR_OK) return complain("--robot", "the table has no such robot");
+  if (bus_open(&b, w.url, &why) != 0) return complain("the bus", why.text);
+  signal(SIGINT, on_end);
+  signal(SIGTERM, on_end);
+  status = run(b, &w);
+  bus_close(b);
+  free(bytes);
+  return status;
+}

@@ -1,0 +1,24 @@
+#include "gossip.h"
+
+#include <stddef.h>
+
+#include "quarter/seeker.h"
+
+bool gossip_learn(gossip *g, int signal, int territory) {
+  bool *known = NULL;
+  if (signal == QTR_SIGNAL_FOUND) known = &g->found;
+  if (signal == QTR_SIGNAL_TERRITORY_DONE && territory >= 0 && territory < GOSSIP_MOST) known = &g->done[territory];
+  if (known == NULL || *known) return false;
+  *known = true;
+  g->news = true;
+  return true;
+}
+
+void gossip_repeat(gossip *g, int64_t utime, void (*say)(void *user, int signal, int territory), void *user) {
+  if (!g->news && utime < g->next) return;
+  g->news = false;
+  g->next = utime + GOSSIP_PERIOD;
+  if (g->found) say(user, QTR_SIGNAL_FOUND, 0);
+  for (int territory = 0; territory < GOSSIP_MOST; territory++)
+    if (g->done[territory]) say(user, QTR_SIGNAL_TERRITORY_DONE, territory);
+}

@@ -1,0 +1,59 @@
+/* A robot: hears its own pose and scan and TERMINATE, says its own command and TERMINATE, and nothing else. It runs the
+ * policy table by the core's executor, and links nothing of Quarter but the robot side. */
+#ifndef QUARTER_DEMO_ROBOT_H
+#define QUARTER_DEMO_ROBOT_H
+
+#include <stdbool.h>
+
+#include "gossip.h"
+#include "ground.h"
+#include "messages.h"
+#include "quarter/robot.h"
+
+/* Where a robot goes next. The plan's pilot is the policy table's; there are others to compare it with. */
+typedef struct {
+  void *self;
+  uint16_t (*target)(void *self);            /* place; QTR_STAND_DOWN: nothing left to do */
+  void (*visited)(void *self, uint16_t place); /* it was there and found nothing */
+  void (*hear)(void *self, int signal, unsigned territory);
+  bool (*announce)(void *self, uint8_t *territory); /* a territory that it has finished */
+} robot_pilot;
+
+/* The pilot of the plan; `seeker` must be initialised and outlive it. */
+robot_pilot robot_pilot_of_plan(qtr_seeker *seeker);
+
+/* How a robot is heard. */
+typedef struct {
+  void *user;
+  void (*command)(void *user, const message_command *m);
+  void (*terminate)(void *user, const message_terminate *m);
+} robot_voice;
+
+/* Large: it holds the way to its target. */
+typedef struct {
+  const qtr_policy *policy;
+  ground g;
+  int self;
+  bool clear_all; /* a find stops nobody */
+  robot_pilot pilot;
+  robot_voice voice;
+  gossip known;
+  message_pose pose;
+  bool placed; /* a pose was heard */
+  uint16_t target;
+  bool way_known; /* `way` leads to the target */
+  int64_t utime;
+  qtr_field way;
+} robot;
+
+void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, robot_pilot pilot, robot_voice voice);
+
+void robot_hear_pose(robot *r, const message_pose *m);
+void robot_hear_terminate(robot *r, const message_terminate *m);
+/* The moment to act: sends a command, and the signals that are due. */
+void robot_hear_scan(robot *r, const message_scan *m);
+
+/* It drives no more, of its own will: the target is found, or there is nothing left to do. */
+bool robot_stopped(const robot *r);
+
+#endif

@@ -1,0 +1,34 @@
+/* The command line of quarter-demo and quarter-world. */
+#ifndef QUARTER_DEMO_SETTINGS_H
+#define QUARTER_DEMO_SETTINGS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "fault.h"
+
+typedef struct {
+  const char *mission;
+  const char *table;     /* NULL: learn it */
+  const char *save;      /* where to write the table; NULL: nowhere */
+  const char *replay;    /* HTML; NULL: none */
+  const char *log;       /* LCM log; NULL: none */
+  const char *faults;    /* script; NULL: none */
+  const char *lcm_url;   /* NULL: as LCM_DEFAULT_URL says */
+  const char *json_path; /* NULL: standard output */
+  bool json, quiet, help;
+  bool clear_all, lose_one, processes, live;
+  int port;     /* of the live view; 0: any free one */
+  int robots;   /* 0: as the mission says */
+  int mine;     /* place; -1: drawn; -2: none */
+  int runs;     /* 0: one game */
+  int strategy; /* enum game_strategy */
+  uint64_t seed;
+  double speed;       /* times real time; 0: as fast as can be */
+  double learn_limit; /* seconds */
+} settings;
+
+/* Parse the words. `help` is printed by the caller if asked for. 0, or -1 with *why set. */
+int settings_parse(settings *s, int argc, char **argv, fault *why);
+
+#endif

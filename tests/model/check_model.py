@@ -1,0 +1,186 @@
+"""check_model.py [--spin SPIN] [--cc CC]: the model of the termination protocol has the properties it should have, and
+loses them where the protocol is got wrong.
+
+Works in the current folder. Every search is exact and goes to its end: no bitstate hashing, no partial order reduction.
+One line a run; ends with 0 only if every run gave what is expected of it.
+"""
+
+import argparse
+import concurrent.futures
+import pathlib
+import re
+import subprocess
+
+MODEL = pathlib.Path(__file__).resolve().parent / "termination.pml"
+CORES = 2
+MEMORY_MB = 512
+SECONDS = 40  # for one run; all together take less
+DEPTH = 100000
+
+HOLDS = "holds"
+REFUTED = "refuted"  # a bad state is reached
+CYCLE = "cycle"  # a run goes on for ever without the good thing
+REST = "rest"  # the pseudo-property: nobody is left hanging in mid-protocol
+
+FIND, CLEAR = [], ["CLEAR_ALL"]
+ALL_LATE, ONE_LATE = ["LATE=N"], ["LATE=1"]
+
+SAFE = [(REST, HOLDS), ("sound", HOLDS), ("ends", HOLDS)]
+FOUND_SAFE = [*SAFE, ("target_kept", HOLDS), ("all_clear", HOLDS)]
+PARTLY = [(REST, HOLDS), ("sound", HOLDS), ("reach", HOLDS), ("ends", REFUTED), ("walkers_stop", HOLDS)]
+
+# What is built, by its definitions, and (property, expected) of each of its runs. A property with a `!` at its end is
+# run without fairness.
+RUNS = [
+    # the protocol
+    ([*FIND], [*FOUND_SAFE, ("walkers_stop", HOLDS)]),
+    ([*CLEAR], [*SAFE, ("walkers_stop", HOLDS)]),
+    ([*FIND, *ALL_LATE], [("told_stop", HOLDS)]),
+    ([*CLEAR, *ALL_LATE], [("told_stop", HOLDS)]),
+    ([*FIND, *ONE_LATE], [*FOUND_SAFE, ("late_stop", HOLDS)]),
+    ([*CLEAR, *ONE_LATE], [*SAFE, ("late_stop", HOLDS)]),
+    (["N=2", *FIND, *ONE_LATE], [*FOUND_SAFE, ("late_stop", HOLDS)]),
+    (["N=2", *CLEAR, *ONE_LATE], [*SAFE, ("late_stop", HOLDS)]),
+    # a robot that cannot reach everything stops when all in its reach is done: a known limit, and sound all the same
+    ([*FIND, "MISSED"], [*PARTLY, ("target_kept", HOLDS)]),
+    ([*CLEAR, "MISSED"], PARTLY),
+    ([*FIND, "MISSED", *ALL_LATE], [("told_stop", HOLDS)]),
+    # runs that must exist, or the above would say nothing
+    ([*FIND], [("never_stop", REFUTED), ("never_again", REFUTED), ("never_told", CYCLE)]),
+    ([*CLEAR], [("never_stop", REFUTED), ("never_told", CYCLE)]),
+    ([*FIND, *ALL_LATE], [("never_told", CYCLE)]),
+    ([*CLEAR, *ALL_LATE], [("never_told", CYCLE)]),
+    ([*FIND, *ONE_LATE], [("never_late", CYCLE)]),
+    ([*CLEAR, *ONE_LATE], [("never_late", CYCLE)]),
+    # assumptions that are needed
+    ([*FIND], [("walkers_stop!", CYCLE)]),
+    ([*FIND, *ALL_LATE], [("walkers_stop", CYCLE), ("told_stop!", CYCLE), ("told_stop_all_lost", CYCLE)]),
+    ([*CLEAR, *ALL_LATE], [("told_stop_all_lost", CYCLE)]),
+    # mutations, and beside them what they leave whole
+    ([*FIND, *ALL_LATE, "ONCE"], [("told_stop", CYCLE)]),
+    ([*CLEAR, *ALL_LATE, "ONCE"], [("told_stop", CYCLE)]),
+    ([*FIND, *ONE_LATE, "ONCE"], [("late_stop", CYCLE)]),
+    ([*FIND, "ONCE"], [("walkers_stop", HOLDS)]),
+    ([*FIND, *ALL_LATE, "NO_RELAY"], [("told_stop", CYCLE)]),
+    ([*CLEAR, *ALL_LATE, "NO_RELAY"], [("told_stop", CYCLE)]),
+    ([*FIND, *ALL_LATE, "NO_RELAY", "NO_DEATHS"], [("told_stop", HOLDS)]),
+    ([*FIND, *ALL_LATE, "SILENT"], [("told_stop", CYCLE)]),
+    ([*CLEAR, *ALL_LATE, "SILENT"], [("told_stop", CYCLE)]),
+    ([*FIND, "EARLY"], [("sound", REFUTED), ("ends", REFUTED), ("target_kept", REFUTED), ("all_clear", REFUTED)]),
+    ([*CLEAR, "EARLY"], [("sound", REFUTED), ("ends", REFUTED)]),
+    ([*FIND, "STALE"], [("sound", REFUTED), ("ends", REFUTED), ("target_kept", REFUTED), ("all_clear", REFUTED)]),
+    ([*CLEAR, "STALE"], [("sound", REFUTED), ("ends", REFUTED)]),
+    ([*FIND, "GO_ON"], [("sound", HOLDS), ("target_kept", REFUTED), ("all_clear", REFUTED)]),
+    ([*FIND, "WAIT"], [(REST, REFUTED), ("walkers_stop", CYCLE)]),
+    ([*CLEAR, "WAIT"], [(REST, REFUTED), ("walkers_stop", CYCLE)]),
+]
+
+
+def call(command, folder):
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=SECONDS)
+    return done.returncode, done.stdout + done.stderr
+
+
+def verdict(output):
+    """(what the search came to, states stored) from pan's output; None in place of what cannot be told for sure."""
+    states = re.search(r"^\s*(\d+) states, stored", output, re.MULTILINE)
+    errors = re.search(r"errors: (\d+)$", output, re.MULTILINE)
+    if states is None or errors is None:
+        return None, None
+    if errors.group(1) == "0":
+        cut = re.search(r"Search not completed|too small|out of memory|MEMLIM|truncated|Bit statespace", output)
+        result = HOLDS if "Full statespace search" in output and not cut else None
+    elif "acceptance cycle (at" in output:
+        result = CYCLE
+    elif "assertion violated" in output or "invalid end state" in output:
+        result = REFUTED
+    else:
+        result = None
+    return result, int(states.group(1))
+
+
+def build(tools, folder, defines, claims):
+    """Build pan in `folder`. With claims it checks properties, without them that every run comes to rest."""
+    folder.mkdir(parents=True, exist_ok=True)
+    status, output = call([tools.spin, *(f"-D{d}" for d in defines), "-a", str(MODEL)], folder)
+    if status == 0:
+        flags = ["-O1", "-w", "-DNOREDUCE", "-DNFAIR=3", f"-DMEMLIM={MEMORY_MB}"] + ([] if claims else ["-DNOCLAIM"])
+        status, output = call([tools.cc, *flags, "-o", "pan", "pan.c"], folder)
+    if status != 0:
+        raise SystemExit(f"{' '.join(defines)}: not built:\n{output}")
+
+
+def search(folder, name):
+    """Run pan for one property."""
+    limits = [f"-m{DEPTH}", "-w20", "-n"]
+    if name == REST:
+        return verdict(call(["./pan", *limits], folder)[1])
+    fairness = [] if name.endswith("!") else ["-f"]
+    asked = name.rstrip("!")
+    output = call(["./pan", "-a", *fairness, "-N", asked, *limits], folder)[1]
+    # pan takes the first claim if it does not know the name
+    return verdict(output) if f"pan: ltl formula {asked}\n" in output else (None, None)
+
+
+def title(defines):
+    mode = "clear-all" if "CLEAR_ALL" in defines else "find-first"
+    robots = next((d for d in defines if d.startswith("N=")), "N=3")
+    return " ".join([robots, mode, *(d for d in defines if d != "CLEAR_ALL" and not d.startswith("N="))])
+
+
+def run(tools, number, defines, properties):
+    """The lines to print for one entry of RUNS, and how many are not as expected."""
+    lines, wrong = [], 0
+    for name, expected in properties:
+        folder = pathlib.Path(f"{number}_{'rest' if name == REST else 'claims'}")
+        try:
+            if not (folder / "pan").exists():
+                build(tools, folder, defines, claims=name != REST)
+            found, states = search(folder, name)
+        except subprocess.TimeoutExpired:
+            found, states = "no end in time", None
+        wrong += found != expected
+        fair = "" if not name.endswith("!") else " unfair"
+        lines.append(
+            f"{title(defines):41} {name.rstrip('!') + fair:19} {'?' if states is None else states:>7} states  "
+            f"{found or 'not searched to the end':8}" + ("as expected" if found == expected else f"NOT {expected}")
+        )
+    return lines, wrong
+
+
+def prove_that_it_fails():
+    full = "Full statespace search for:\nState-vector 100 byte, depth reached 9, errors: {}\n 7 states, stored\n"
+    for output, expected in [
+        (full.format(0), HOLDS),
+        ("error: max search depth too small\n" + full.format(0), None),
+        ("Warning: Search not completed\n" + full.format(0), None),
+        (full.format(0).replace("Full", "Bit"), None),
+        ("pan:1: acceptance cycle (at depth 3)\n" + full.format(1), CYCLE),
+        ("pan:1: assertion violated x (at depth 3)\n" + full.format(1), REFUTED),
+        ("pan:1: invalid end state (at depth 3)\n" + full.format(1), REFUTED),
+        ("pan:1: VECTORSZ is too small\n" + full.format(1), None),
+        ("", None),
+    ]:
+        if verdict(output)[0] != expected:
+            raise SystemExit(f"self-test: {verdict(output)[0]}, not {expected}, of:\n{output}")
+
+
+def main():
+    prove_that_it_fails()
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--spin", default="spin")
+    parser.add_argument("--cc", default="cc")
+    tools = parser.parse_args()
+    for old in pathlib.Path().glob("[0-9]*_*/pan"):
+        old.unlink()
+    wrong = 0
+    with concurrent.futures.ThreadPoolExecutor(CORES) as pool:
+        for lines, faults in pool.map(lambda entry: run(tools, entry[0], *entry[1]), enumerate(RUNS)):
+            print(*lines, sep="\n", flush=True)
+            wrong += faults
+    total = sum(len(properties) for _, properties in RUNS)
+    print(f"{wrong} of {total} runs not as expected" if wrong else f"{total} runs as expected")
+    raise SystemExit(1 if wrong else 0)
+
+
+main()
