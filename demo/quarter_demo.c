@@ -34,7 +34,7 @@ static const char help[] =
     "      --processes          a process for each robot and one for the world, over --lcm-url\n"
     "      --lcm-url URL        default: LCM_DEFAULT_URL, or udpm on this machine\n"
     "      --runs N             N games with seeds from --seed on\n"
-    "      --lose-one           with --runs: in each game a robot is lost at a random time\n"
+    "      --lose-one           a robot, drawn by the seed, is lost at a random time\n"
     "      --strategy WHAT      plan (default); to compare: nearest (no plan), informed (no plan, full communication)\n"
     "      --json[=FILE]        print the outcome as JSON, or write it to FILE\n"
     "  -q, --quiet              say nothing but JSON\n"
@@ -127,6 +127,9 @@ static void write_figures(FILE *out, const runs_figures *f, const settings *s) {
   json_flat_object(&j, "messages");
   for (int kind = 0; kind < KINDS; kind++) json_natural(&j, kinds[kind], f->sent[kind]);
   json_end_object(&j);
+  json_flat_array(&j, "seeds_to_look_into");
+  for (int i = 0; i < f->odd && i < RUNS_ODD; i++) json_natural(&j, NULL, f->odd_seed[i]);
+  json_end_array(&j);
   json_flat_array(&j, "visits");
   for (int place = 0; place < p.t.policy.board.places; place++) json_natural(&j, NULL, f->visits[place]);
   json_end_array(&j);
@@ -142,6 +145,9 @@ static void tell_figures(FILE *out, const runs_figures *f, const settings *s) {
   fprintf(out, "a game: %.2f places scanned, %.3f of them again, %.3f collisions; games with a deadlock: %d; %.0f times real time\n",
           (double)f->scanned / f->games, (double)f->duplicates / f->games, (double)f->collisions / f->games, f->deadlocked,
           f->simulated / f->wall);
+  if (f->odd > 0) fprintf(out, "not found or a deadlock:");
+  for (int i = 0; i < f->odd && i < RUNS_ODD; i++) fprintf(out, " --seed %llu", (unsigned long long)f->odd_seed[i]);
+  if (f->odd > 0) fputc('\n', out);
 }
 
 static int print_figures(const runs_figures *f, const settings *s, fault *why) {
@@ -174,6 +180,7 @@ static int run(const settings *s, fault *why) {
   int status = s->faults != NULL ? faults_read(&faults, s->faults, p.t.policy.board.seekers, why) : 0;
   if (status == 0 && s->mine >= p.t.policy.board.places)
     status = fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, p.t.policy.board.places - 1);
+  if (status == 0 && s->lose_one && s->runs == 0) runs_draw_loss(&faults, &p, s->seed);
   if (status == 0 && s->processes)
     status = launch(s, &p, &interrupted, why);
   else if (status == 0)

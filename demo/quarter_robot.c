@@ -100,6 +100,13 @@ static void *read_whole(const char *path, uint32_t *size) {
   return bytes;
 }
 
+/* A robot's number; -1: it is none. */
+static int number_of(const char *text) {
+  char *end;
+  const long number = strtol(text, &end, 10);
+  return end != text && *end == '\0' && number >= 0 && number < MESSAGE_MOST_ROBOTS ? (int)number : -1;
+}
+
 static int parse(words *w, int argc, char **argv) {
   static const struct option longs[] = {{"robot", required_argument, NULL, 'r'},
                                         {"lcm-url", required_argument, NULL, 'u'},
@@ -110,7 +117,7 @@ static int parse(words *w, int argc, char **argv) {
   *w = (words){.self = -1};
   while ((letter = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
     switch (letter) {
-    case 'r': w->self = optarg[0] >= '0' && optarg[0] <= '9' ? atoi(optarg) : -1; break;
+    case 'r': w->self = number_of(optarg); break;
     case 'u': w->url = optarg; break;
     case 'c': w->clear_all = true; break;
     default: return letter == 'h' ? 1 : -1;

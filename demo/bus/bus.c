@@ -15,6 +15,7 @@
 #include "quarter_terminate.h"
 #include "rng.h"
 
+#define LATEST (INT64_MAX / 2) /* microseconds: moments up to here can be subtracted from one another */
 #define QUEUE 1000 /* messages that a subscription holds: LCM's own 30 are too few for a burst */
 
 /* One subscription: whose messages go where. */
@@ -123,7 +124,7 @@ void bus_send_pose(bus *b, const message_pose *m) {
 
 void bus_send_scan(bus *b, const message_scan *m) {
   char name[CHANNEL_SIZE];
-  quarter_scan wire = {.utime = m->utime, .robot = m->robot, .mine = m->mine};
+  quarter_scan wire = {.utime = m->utime, .robot = m->robot, .read = m->read, .mine = m->mine};
   memcpy(wire.range, m->range, sizeof wire.range);
   quarter_scan_publish(b->lcm, channel_of(name, KIND_SCAN, m->robot), &wire);
   b->counts.sent[KIND_SCAN]++;
@@ -131,7 +132,7 @@ void bus_send_scan(bus *b, const message_scan *m) {
 
 void bus_send_command(bus *b, const message_command *m) {
   char name[CHANNEL_SIZE];
-  const quarter_command wire = {m->utime, m->robot, m->left, m->right};
+  const quarter_command wire = {m->utime, m->robot, m->left, m->right, m->read};
   quarter_command_publish(b->lcm, channel_of(name, KIND_COMMAND, m->robot), &wire);
   b->counts.sent[KIND_COMMAND]++;
 }
@@ -172,7 +173,7 @@ static bool take_scan(const listener *l, const lcm_recv_buf_t *packet) {
   if (quarter_scan_decode(packet->data, 0, (int)packet->data_size, &wire) < 0 || !sound_robot(l, wire.robot)) return false;
   for (int ray = 0; ray < MESSAGE_RAYS; ray++)
     if (!isfinite(wire.range[ray]) || wire.range[ray] < 0.0f) return false;
-  m = (message_scan){.utime = wire.utime, .robot = wire.robot, .mine = wire.mine != 0};
+  m = (message_scan){.utime = wire.utime, .robot = wire.robot, .read = wire.read != 0, .mine = wire.mine != 0};
   memcpy(m.range, wire.range, sizeof m.range);
   ((void (*)(void *, const message_scan *))l->hear)(l->user, &m);
   return true;
@@ -182,7 +183,7 @@ static bool take_command(const listener *l, const lcm_recv_buf_t *packet) {
   quarter_command wire;
   if (quarter_command_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
   if (!sound_robot(l, wire.robot) || !isfinite(wire.left) || !isfinite(wire.right)) return false;
-  const message_command m = {wire.utime, wire.robot, wire.left, wire.right};
+  const message_command m = {wire.utime, wire.robot, wire.left, wire.right, wire.read != 0};
   ((void (*)(void *, const message_command *))l->hear)(l->user, &m);
   return true;
 }
@@ -210,6 +211,11 @@ static bool take_status(const listener *l, const lcm_recv_buf_t *packet) {
   return true;
 }
 
+static bool sound_time(const lcm_recv_buf_t *packet) {
+  const int64_t utime = utime_of(packet);
+  return utime >= 0 && utime <= LATEST;
+}
+
 static void take(const lcm_recv_buf_t *packet, const char *channel, void *user) {
   static bool (*const takers[KINDS])(const listener *, const lcm_recv_buf_t *) = {take_pose, take_scan, take_command,
                                                                                   take_terminate, take_status};
@@ -219,7 +225,7 @@ static void take(const lcm_recv_buf_t *packet, const char *channel, void *user) 
     l->b->counts.lost++;
     return;
   }
-  if (!takers[l->kind](l, packet)) l->b->counts.ignored++;
+  if (!sound_time(packet) || !takers[l->kind](l, packet)) l->b->counts.ignored++;
 }
 
 static void subscribe(bus *b, int kind, int robot, void (*hear)(void), void *user) {

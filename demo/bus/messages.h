@@ -19,7 +19,8 @@ typedef struct {
 typedef struct {
   int64_t utime;
   int robot;
-  bool mine;                 /* within the mine sensor's range */
+  bool read;                 /* the mine sensor was read, as the last command asked */
+  bool mine;                 /* and there is a mine within its range */
   float range[MESSAGE_RAYS]; /* to the nearest thing, ray r at heading + r / MESSAGE_RAYS of a turn */
 } message_scan;
 
@@ -27,6 +28,7 @@ typedef struct {
   int64_t utime;
   int robot;
   double left, right; /* metres a second */
+  bool read;          /* read the mine sensor */
 } message_command;
 
 typedef struct {

@@ -33,6 +33,7 @@ static void hear_command(void *user, const message_command *m) {
   const bool still = m->left == 0.0 && m->right == 0.0;
   if (still && !r->still) r->still_since = a->now;
   r->still = still;
+  r->read = m->read;
   r->heard = true;
   r->commanded = utime_of(a);
   if (r->state == STATE_LOST) return;
@@ -114,7 +115,7 @@ static void note_scan(arena *a, int robot, int place) {
   note(a, (arena_event){0, found ? EVENT_FOUND : EVENT_SCANNED, robot, place, -1, 0.0});
 }
 
-/* Whether the robot's sensor sees a mine; every place under it counts as scanned. */
+/* Read a robot's mine sensor: every place under it counts as scanned. Whether there is a mine. */
 static bool sense_mine(arena *a, int robot, point at) {
   bool mine = false;
   for (int place = 0; place < a->places; place++) {
@@ -128,7 +129,8 @@ static bool sense_mine(arena *a, int robot, point at) {
 static void publish_robot(arena *a, int robot) {
   const world_pose pose = world_pose_of(a->w, robot);
   const message_pose where = {utime_of(a), robot, ground_x_m(&a->g, pose.at), ground_y_m(&a->g, pose.at), pose.heading};
-  message_scan scan = {.utime = where.utime, .robot = robot, .mine = sense_mine(a, robot, pose.at)};
+  message_scan scan = {.utime = where.utime, .robot = robot, .read = a->robot[robot].read};
+  if (scan.read) scan.mine = sense_mine(a, robot, pose.at);
   world_look(a->w, robot, scan.range, MESSAGE_RAYS);
   for (int ray = 0; ray < MESSAGE_RAYS; ray++) scan.range[ray] *= (float)a->g.cell_size;
   bus_send_pose(a->b, &where);
@@ -191,9 +193,10 @@ static void watch_stop(arena *a, int robot) {
     if (r->state == STATE_STOPPED) r->state = STATE_ALIVE;
   } else if (r->stopped_at < 0.0 && a->now - r->still_since >= STILL) {
     r->stopped_at = r->still_since;
-    if (r->state == STATE_ALIVE) r->state = STATE_STOPPED;
     note(a, (arena_event){0, EVENT_STOPPED, robot, -1, -1, 0.0});
   }
+  /* Now, or when it is no longer stuck. */
+  if (r->stopped_at >= 0.0 && r->state == STATE_ALIVE) r->state = STATE_STOPPED;
 }
 
 static void watch_deadlock(arena *a, int robot) {

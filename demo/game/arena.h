@@ -34,6 +34,7 @@ typedef struct {
 typedef struct {
   enum message_state state;
   bool heard;        /* a command came */
+  bool read;         /* and asks for its mine sensor to be read */
   int64_t commanded; /* utime of the last one */
   bool still;        /* it is told to stand */
   double still_since, stopped_at; /* seconds; stopped_at below 0: it drives */

@@ -35,7 +35,7 @@ static bool make_room(record *r) {
 
 static record_sample sample_of(const arena *a, int robot) {
   const world_pose pose = world_pose_of(a->w, robot);
-  return (record_sample){(int16_t)lround(100 * pose.at.x), (int16_t)lround(100 * (a->g.grid.rows - pose.at.y)),
+  return (record_sample){(int32_t)lround(100 * pose.at.x), (int32_t)lround(100 * (a->g.grid.rows - pose.at.y)),
                          (int16_t)lround(100 * remainder(pose.heading, TURN))};
 }
 
@@ -273,11 +273,13 @@ void record_event(FILE *out, const arena_event *e) {
 
 static const char hole[] = "<script id=\"replay\" type=\"application/json\">null</script>";
 
-/* In a page, "</" would end the script that holds the data. */
+/* In a page, "</" would end the script that holds the data, and "<!--" would hide its end. In JSON, '<' is in strings alone. */
 static void put_escaped(FILE *out, const char *text) {
   for (; *text != '\0'; text++) {
-    fputc(*text, out);
-    if (text[0] == '<' && text[1] == '/') fputc('\\', out);
+    if (*text == '<')
+      fputs("\\u003c", out);
+    else
+      fputc(*text, out);
   }
 }
 

@@ -23,8 +23,7 @@ void runs_free(runs_figures *f) {
   free(f->visits);
 }
 
-/* One robot lost at a moment of the plan's time, both drawn. */
-static void draw_loss(fault_script *script, const plan *p, uint64_t seed) {
+void runs_draw_loss(fault_script *script, const plan *p, uint64_t seed) {
   rng dice;
   rng_seed(&dice, seed ^ 0x51554152544552u);
   const int robot = (int)(rng_next(&dice) % p->t.policy.board.seekers);
@@ -42,8 +41,12 @@ static int count_visits(void *user, const arena *a, const game_result *result, f
   return 0;
 }
 
-static void add(runs_figures *f, const plan *p, const game_result *r) {
+static void add(runs_figures *f, const plan *p, const game_result *r, uint64_t seed) {
   f->games++;
+  if ((r->found_at < 0.0 && r->mine >= 0) || r->deadlocks > 0) {
+    if (f->odd < RUNS_ODD) f->odd_seed[f->odd] = seed;
+    f->odd++;
+  }
   if (r->found_at >= 0.0) {
     f->found_at[f->found++] = r->found_at;
     f->mean += r->found_at;
@@ -77,9 +80,9 @@ static int play_one(runs_figures *f, const plan *p, const game_setup *setup, uin
   one.arena.faults = &faults;
   one.user = f;
   one.finish = count_visits;
-  if (lose_one) draw_loss(&faults, p, seed);
+  if (lose_one) runs_draw_loss(&faults, p, seed);
   if (game_play(&one, &result, NULL, why) != 0) return -1;
-  add(f, p, &result);
+  add(f, p, &result, seed);
   return 0;
 }
 

@@ -7,6 +7,8 @@
 #include "game.h"
 #include "plan.h"
 
+#define RUNS_ODD 20
+
 typedef struct {
   int games, found, deadlocked; /* deadlocked: games with a robot that made no way for long */
   double *found_at;             /* seconds, of the games in which it was found, in rising order */
@@ -16,7 +18,12 @@ typedef struct {
   double simulated, wall;       /* seconds in all */
   uint64_t sent[KINDS];
   uint64_t *visits;             /* of each place */
+  int odd;                      /* games to look into: not found, or with a deadlock */
+  uint64_t odd_seed[RUNS_ODD];  /* the first of them */
 } runs_figures;
+
+/* One robot lost at a moment of the plan's time, both drawn by the seed: a fault for the script. */
+void runs_draw_loss(fault_script *script, const plan *p, uint64_t seed);
 
 /* Play `games` games with seeds from setup->arena.seed on. With `lose_one` a robot, drawn by the seed, is lost at a moment
  * drawn from the plan's time. 0, or -1 with *why set. Ends early if interrupted. */

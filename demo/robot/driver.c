@@ -13,7 +13,7 @@
 
 /* ---- where to ---- */
 
-point driver_aim(const ground *g, const qtr_field *way, qtr_cell target, point at) {
+point driver_aim(const ground *g, const qtr_field *way, qtr_cell target, point at, double lane) {
   const qtr_cell here = ground_cell(g, at);
   const point goal = ground_centre(g, target);
   if (here == QTR_NO_CELL || here == target) return goal;
@@ -24,15 +24,14 @@ point driver_aim(const ground *g, const qtr_field *way, qtr_cell target, point a
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
   /* Right of (dx, dy) is (dy, -dx). */
-  return (point){from.x + (0.5 + AHEAD) * dx + DRIVER_LANE * dy, from.y + (0.5 + AHEAD) * dy - DRIVER_LANE * dx};
+  return (point){from.x + (0.5 + AHEAD) * dx + lane * dy, from.y + (0.5 + AHEAD) * dy - lane * dx};
 }
 
 /* ---- past what ---- */
 
+/* A heading comes from outside and may be any finite number: no loop over turns. */
 static double wrap(double angle) {
-  while (angle > PI) angle -= 2 * PI;
-  while (angle < -PI) angle += 2 * PI;
-  return angle;
+  return remainder(angle, 2 * PI);
 }
 
 /* How far the robot can go in a direction, relative to its heading, before it touches what a ray has seen. */

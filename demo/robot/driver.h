@@ -28,8 +28,8 @@ typedef struct {
   double left, right; /* wheel speeds, cells a second */
 } driver_wheels;
 
-/* The point to steer for on the way to the field's target cell. */
-point driver_aim(const ground *g, const qtr_field *way, qtr_cell target, point at);
+/* The point to steer for on the way to the field's target cell, `lane` cells to the right of the cells' middles. */
+point driver_aim(const ground *g, const qtr_field *way, qtr_cell target, point at, double lane);
 
 /* Wheel speeds that bring the robot there. */
 driver_wheels driver_steer(const driver_view *view, point aim);

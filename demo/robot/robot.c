@@ -6,7 +6,12 @@
 
 #include "driver.h"
 
-#define ARRIVED 0.11   /* cells from a place's middle */
+#define NEAR 0.16      /* cells from a place's middle at which the mine sensor is read */
+#define IN_RANGE 0.33  /* cells at which it is read where something stands on the place */
+#define MADE_WAY 0.5      /* cells */
+#define PATIENCE 2500000  /* microseconds without making way after which it tries the other side */
+#define KEEP_LEFT 3000000 /* microseconds for which it does at least */
+#define PI 3.14159265358979323846
 #define EYE_RANGE 1.45 /* cells: what is seen beyond is not looked at */
 
 /* ---- the plan's pilot ---- */
@@ -41,6 +46,7 @@ void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, ro
   r->clear_all = clear_all;
   r->pilot = pilot;
   r->voice = voice;
+  r->asked = QTR_STAND_DOWN;
 }
 
 void robot_hear_pose(robot *r, const message_pose *m) {
@@ -65,8 +71,9 @@ static void say_signal(void *user, int signal, int territory) {
   r->voice.terminate(r->voice.user, &m);
 }
 
-static void say_wheels(const robot *r, driver_wheels wheels) {
-  const message_command m = {r->utime, r->self, wheels.left * r->g.cell_size, wheels.right * r->g.cell_size};
+static void say_command(const robot *r, driver_wheels wheels) {
+  const message_command m = {r->utime, r->self, wheels.left * r->g.cell_size, wheels.right * r->g.cell_size,
+                             r->asked != QTR_STAND_DOWN};
   r->voice.command(r->voice.user, &m);
 }
 
@@ -80,17 +87,60 @@ static point position(const robot *r) {
   return ground_point(&r->g, r->pose.x, r->pose.y);
 }
 
-/* Only where pose and scan are of one moment: or, with messages lost, a place might count as scanned that was not. */
-static bool arrived(const robot *r, uint16_t target) {
-  if (r->pose.utime != r->utime || target == QTR_STAND_DOWN) return false;
+/* The nearest thing in the direction of a point, in cells. */
+static double nearest_towards(const robot *r, const message_scan *m, point goal) {
   const point at = position(r);
+  const double turn = (atan2(goal.y - at.y, goal.x - at.x) - r->pose.heading) / (2 * PI);
+  const int ray = (int)lround(turn * MESSAGE_RAYS);
+  double nearest = EYE_RANGE;
+  for (int beside = -1; beside <= 1; beside++) {
+    const double range = (double)m->range[((ray + beside) % MESSAGE_RAYS + MESSAGE_RAYS) % MESSAGE_RAYS] / r->g.cell_size;
+    if (range < nearest) nearest = range;
+  }
+  return nearest;
+}
+
+/* Distance from a place, in cells. What was measured where is known only if pose and scan are of one moment: with messages
+ * lost, a place might count as scanned that was not. */
+static double away_from(const robot *r, const message_scan *m, uint16_t place) {
+  const point at = position(r);
+  const point goal = ground_centre(&r->g, qtr_policy_cell(r->policy, place));
+  return r->pose.utime == m->utime ? hypot(goal.x - at.x, goal.y - at.y) : HUGE_VAL;
+}
+
+/* Near enough to read the mine sensor: a robot that was lost on the place keeps others from standing there. */
+static bool is_near(const robot *r, const message_scan *m, uint16_t target) {
+  const double away = away_from(r, m, target);
   const point goal = ground_centre(&r->g, qtr_policy_cell(r->policy, target));
-  return hypot(goal.x - at.x, goal.y - at.y) < ARRIVED;
+  return away < NEAR || (away < IN_RANGE && nearest_towards(r, m, goal) < away);
+}
+
+/* The sensor was read over the target: it is there, or the robot goes on to the next. */
+static void heed_reading(robot *r, const message_scan *m) {
+  if (!m->read) return;
+  if (m->mine) learn(r, QTR_SIGNAL_FOUND, 0);
+  if (r->asked == QTR_STAND_DOWN || r->known.found || away_from(r, m, r->asked) > IN_RANGE) return;
+  r->pilot.visited(r->pilot.self, r->asked);
 }
 
 static void take_announcements(robot *r) {
   uint8_t territory;
   while (r->pilot.announce(r->pilot.self, &territory)) gossip_learn(&r->known, QTR_SIGNAL_TERRITORY_DONE, territory);
+}
+
+/* Who makes no way tries the other side of the road: a lost robot may lie just where one would turn. */
+static double choose_lane(robot *r) {
+  const point at = position(r);
+  if (hypot(at.x - r->anchor.x, at.y - r->anchor.y) > MADE_WAY) {
+    r->anchor = at;
+    r->anchored = r->utime;
+    if (r->left && r->utime - r->switched > KEEP_LEFT) r->left = false;
+  } else if (r->utime - r->anchored > PATIENCE) {
+    r->anchored = r->utime;
+    r->switched = r->utime;
+    r->left = !r->left;
+  }
+  return r->left ? -DRIVER_LANE : DRIVER_LANE;
 }
 
 static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
@@ -103,22 +153,20 @@ static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
   }
   for (int ray = 0; ray < MESSAGE_RAYS; ray++) range[ray] = (float)((double)m->range[ray] / r->g.cell_size);
   const driver_view view = {position(r), r->pose.heading, MESSAGE_RAYS, range, EYE_RANGE};
-  return driver_steer(&view, driver_aim(&r->g, &r->way, goal, view.at));
+  return driver_steer(&view, driver_aim(&r->g, &r->way, goal, view.at, choose_lane(r)));
 }
 
 void robot_hear_scan(robot *r, const message_scan *m) {
   driver_wheels wheels = {0.0, 0.0};
   r->utime = m->utime;
-  if (!r->placed) {
-    gossip_repeat(&r->known, r->utime, say_signal, r);
-    return;
+  if (r->placed) {
+    heed_reading(r, m);
+    take_announcements(r);
+    const uint16_t target = r->pilot.target(r->pilot.self);
+    const bool drives = !robot_stopped(r);
+    r->asked = drives && is_near(r, m, target) ? target : QTR_STAND_DOWN;
+    if (drives) wheels = drive(r, m, target);
+    say_command(r, wheels);
   }
-  if (m->mine) learn(r, QTR_SIGNAL_FOUND, 0);
-  uint16_t target = r->pilot.target(r->pilot.self);
-  if (!robot_stopped(r) && arrived(r, target)) r->pilot.visited(r->pilot.self, target);
-  take_announcements(r);
-  target = r->pilot.target(r->pilot.self);
-  if (!robot_stopped(r)) wheels = drive(r, m, target);
-  say_wheels(r, wheels);
   gossip_repeat(&r->known, r->utime, say_signal, r);
 }

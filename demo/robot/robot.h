@@ -42,7 +42,12 @@ typedef struct {
   bool placed; /* a pose was heard */
   uint16_t target;
   bool way_known; /* `way` leads to the target */
+  uint16_t asked; /* the place for which the mine sensor is being read; QTR_STAND_DOWN: none */
   int64_t utime;
+  point anchor;     /* where it was when it last made way */
+  int64_t anchored; /* utime: when that was */
+  bool left;        /* it keeps left for a while: the right side is blocked */
+  int64_t switched; /* utime: since when */
   qtr_field way;
 } robot;
 
