@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "follow.h"
 #include "json.h"
 #include "launch.h"
 #include "live.h"
@@ -31,6 +32,7 @@ static const char help[] =
     "      --learn-limit S      seconds to learn at most (default 10)\n"
     "      --speed X            X times real time (default: as fast as the machine can; 1 with --live or --processes)\n"
     "      --live [--port N]    serve the viewer on this machine alone, while the game runs\n"
+    "      --follow             serve the viewer for a game on the bus: of --processes, or played by lcm-logplayer\n"
     "      --processes          a process for each robot and one for the world, over --lcm-url\n"
     "      --lcm-url URL        default: LCM_DEFAULT_URL, or udpm on this machine\n"
     "      --runs N             N games with seeds from --seed on\n"
@@ -62,18 +64,29 @@ typedef struct {
   const settings *s;
   record r;
   live *view; /* NULL: none */
+  int told;   /* events that the view has been told of */
 } show;
+
+static void show_live(show *w, const arena *a) {
+  world_pose poses[WORLD_MOST_ROBOTS];
+  for (int i = 0; i < a->robots; i++) poses[i] = world_pose_of(a->w, i);
+  while (w->told < a->events) live_event(w->view, &a->event[w->told++]);
+  live_frame(w->view, a->now, a->robots, a->g.grid.rows, poses);
+}
 
 static void watch(void *user, const arena *a) {
   show *w = user;
   record_watch(&w->r, a);
-  if (w->view != NULL) live_frame(w->view, &w->r, a, w->s->seed);
+  if (w->view != NULL) show_live(w, a);
 }
 
 static int finish(void *user, const arena *a, const game_result *result, fault *why) {
   show *w = user;
-  if (w->view != NULL) live_end(w->view, &w->r, a, result);
-  return w->s->replay != NULL ? record_page(w->s->replay, &w->r, a, result, w->s->seed, why) : 0;
+  if (w->view != NULL) {
+    show_live(w, a);
+    live_end(w->view, &p, result);
+  }
+  return w->s->replay != NULL ? record_page(w->s->replay, &w->r, a, result, why) : 0;
 }
 
 static int play(const settings *s, const fault_script *faults, fault *why) {
@@ -89,7 +102,10 @@ static int play(const settings *s, const fault_script *faults, fault *why) {
                             .arena = {s->seed, s->clear_all, s->mine, faults, 4 * game_plan_seconds(&p.t) + 120}};
   record_begin(&w.r, &p);
   int status = s->live ? live_open(&w.view, s->port, why) : 0;
-  if (status == 0 && w.view != NULL) live_await(w.view, LIVE_PATIENCE, &interrupted);
+  if (status == 0 && w.view != NULL) {
+    live_hello(w.view, &p, &(record_head){s->seed, s->clear_all, s->mine});
+    live_await(w.view, LIVE_PATIENCE, &interrupted);
+  }
   if (status == 0) status = game_play(&setup, &result, &interrupted, why);
   live_close(w.view);
   record_free(&w.r);
@@ -183,6 +199,8 @@ static int run(const settings *s, fault *why) {
   if (status == 0 && s->lose_one && s->runs == 0) runs_draw_loss(&faults, &p, s->seed);
   if (status == 0 && s->processes)
     status = launch(s, &p, &interrupted, why);
+  else if (status == 0 && s->follow)
+    status = follow(s, &p, &interrupted, why);
   else if (status == 0)
     status = s->runs > 0 ? play_many(s, &faults, why) : play(s, &faults, why);
   plan_free(&p);

@@ -90,7 +90,7 @@ static int serve(const settings *s, bus *b, const fault_script *faults, fault *w
     play(b, &r, s->speed > 0.0 ? s->speed : 1.0);
     game_tell(&a, b, &result);
     result.wall_seconds = clock_seconds() - begin;
-    if (s->replay != NULL) status = record_page(s->replay, &r, &a, &result, s->seed, why);
+    if (s->replay != NULL) status = record_page(s->replay, &r, &a, &result, why);
     if (status == 0) status = outcome_print(&p, &result, s, why);
   }
   record_free(&r);

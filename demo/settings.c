@@ -7,7 +7,7 @@
 
 #include "game.h"
 
-enum letter { TABLE = 1, SAVE, LOG, FAULTS, LCM_URL, JSON, CLEAR_ALL, LOSE_ONE, PROCESSES, LIVE, PORT, ROBOTS, MINE, RUNS,
+enum letter { TABLE = 1, SAVE, LOG, FAULTS, LCM_URL, JSON, CLEAR_ALL, LOSE_ONE, PROCESSES, LIVE, FOLLOW, PORT, ROBOTS, MINE, RUNS,
               STRATEGY, SEED, SPEED, LEARN_LIMIT };
 
 static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
@@ -23,6 +23,7 @@ static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"lose-one", no_argument, NULL, LOSE_ONE},
                                       {"processes", no_argument, NULL, PROCESSES},
                                       {"live", no_argument, NULL, LIVE},
+                                      {"follow", no_argument, NULL, FOLLOW},
                                       {"port", required_argument, NULL, PORT},
                                       {"robots", required_argument, NULL, ROBOTS},
                                       {"mine", required_argument, NULL, MINE},
@@ -91,6 +92,7 @@ static bool take_mark(settings *s, int letter, const char *value) {
   case LOSE_ONE: s->lose_one = true; return true;
   case PROCESSES: s->processes = true; return true;
   case LIVE: s->live = true; return true;
+  case FOLLOW: s->follow = true; return true;
   default: return false;
   }
 }
@@ -118,6 +120,8 @@ static int check(const settings *s, fault *why) {
     return fault_set(why, "--runs plays many games: it goes without -o, --log, --live and --processes");
   if (s->processes && s->strategy != STRATEGY_PLAN)
     return fault_set(why, "--strategy: robots in processes of their own have the plan alone");
+  if (s->follow && (s->processes || s->live || s->runs > 0 || s->replay != NULL || s->log != NULL))
+    return fault_set(why, "--follow plays no game of its own: it goes with --port, --lcm-url, --table and --robots alone");
   if (s->processes && s->live) return fault_set(why, "--live follows a game in one process: leave out --processes");
   return 0;
 }

@@ -17,7 +17,7 @@ typedef struct {
   const char *lcm_url;   /* NULL: as LCM_DEFAULT_URL says */
   const char *json_path; /* NULL: standard output */
   bool json, quiet, help;
-  bool clear_all, lose_one, processes, live;
+  bool clear_all, lose_one, processes, live, follow;
   int port;     /* of the live view; 0: any free one */
   int robots;   /* 0: as the mission says */
   int mine;     /* place; -1: drawn; -2: none */

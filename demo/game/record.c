@@ -234,32 +234,40 @@ static void write_game(json *j, const record *r, const arena *a, const game_resu
   record_result(j, r->p, result);
 }
 
-static void write_head(json *j, const record *r, const arena *a, uint64_t seed) {
-  const plan *p = r->p;
+static void write_head(json *j, const plan *p, const record_head *head) {
   json_integer(j, "format", 1);
   json_string(j, "title", p->name);
   json_string(j, "mission", p->name);
-  json_natural(j, "seed", seed);
-  json_string(j, "mode", a->setup.clear_all ? "clear" : "find");
+  json_natural(j, "seed", head->seed);
+  json_string(j, "mode", head->clear_all ? "clear" : "find");
   write_map(j, p);
-  json_integer(j, "robots", r->robots);
+  json_integer(j, "robots", p->t.policy.board.seekers);
   json_number(j, "robot_radius", WORLD_ROBOT_RADIUS);
   write_starts(j, p);
   write_places(j, p);
   json_flat_array(j, "mines");
-  if (a->mine >= 0) json_integer(j, NULL, a->mine);
+  if (head->mine >= 0) json_integer(j, NULL, head->mine);
   json_end_array(j);
   write_routes(j, p);
   write_plan(j, p);
 }
 
-void record_json(FILE *out, const record *r, const arena *a, const game_result *result, uint64_t seed, bool live) {
+void record_json(FILE *out, const record *r, const arena *a, const game_result *result) {
+  const record_head head = {a->setup.seed, a->setup.clear_all, a->mine};
   json j;
   json_begin(&j, out);
   json_object(&j, NULL);
-  if (live) json_bool(&j, "live", true);
-  write_head(&j, r, a, seed);
-  if (!live) write_game(&j, r, a, result);
+  write_head(&j, r->p, &head);
+  write_game(&j, r, a, result);
+  json_end_object(&j);
+}
+
+void record_hello(FILE *out, const plan *p, const record_head *head) {
+  json j;
+  json_begin(&j, out);
+  json_object(&j, NULL);
+  json_bool(&j, "live", true);
+  write_head(&j, p, head);
   json_end_object(&j);
 }
 
@@ -291,13 +299,13 @@ static void put_page(FILE *out, const char *data) {
   fputs(end + strlen("null"), out);
 }
 
-int record_page(const char *path, const record *r, const arena *a, const game_result *result, uint64_t seed, fault *why) {
+int record_page(const char *path, const record *r, const arena *a, const game_result *result, fault *why) {
   outfile out;
   char *data = NULL;
   size_t size = 0;
   FILE *memory = open_memstream(&data, &size);
   if (memory == NULL) return fault_set(why, "%s: no memory for the replay", path);
-  record_json(memory, r, a, result, seed, false);
+  record_json(memory, r, a, result);
   fclose(memory);
   int status = outfile_open(&out, path, why);
   if (status == 0) {

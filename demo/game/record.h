@@ -30,15 +30,23 @@ void record_free(record *r);
 /* Look at the arena: called after every tick, a game's `watch`. */
 void record_watch(void *r, const arena *a);
 
-/* The whole game as JSON; `live` without tracks, for a page that follows it. */
-void record_json(FILE *out, const record *r, const arena *a, const game_result *result, uint64_t seed, bool live);
+/* What is known of a game before it begins. */
+typedef struct {
+  uint64_t seed;
+  bool clear_all;
+  int mine; /* place; below 0: none, or unknown */
+} record_head;
+
+/* The whole game as JSON; and all but what happened, for a page that follows it. */
+void record_json(FILE *out, const record *r, const arena *a, const game_result *result);
+void record_hello(FILE *out, const plan *p, const record_head *head);
 
 /* Parts of it: an event, as an object; how the game came out, as the member "result". */
 void record_event(FILE *out, const arena_event *e);
 void record_result(json *j, const plan *p, const game_result *result);
 
 /* Write the page that plays the game. 0, or -1 with *why set. */
-int record_page(const char *path, const record *r, const arena *a, const game_result *result, uint64_t seed, fault *why);
+int record_page(const char *path, const record *r, const arena *a, const game_result *result, fault *why);
 
 /* The page for a game that is followed live. */
 void record_live_page(FILE *out);

@@ -180,45 +180,46 @@ void live_await(live *view, double seconds, const volatile int *interrupted) {
   pthread_mutex_unlock(&view->lock);
 }
 
-static char *hello_text(const record *r, const arena *a, uint64_t seed) {
+void live_hello(live *view, const plan *p, const record_head *head) {
   text t;
-  if (text_begin(&t) != NULL) record_json(t.file, r, a, NULL, seed, true);
-  return text_end(&t);
+  if (text_begin(&t) != NULL) record_hello(t.file, p, head);
+  pthread_mutex_lock(&view->lock);
+  free(view->hello);
+  view->hello = text_end(&t);
+  pthread_mutex_unlock(&view->lock);
 }
 
-static char *frame_text(const arena *a) {
+void live_event(live *view, const arena_event *e) {
+  text t;
+  if (text_begin(&t) == NULL) return;
+  record_event(t.file, e);
+  char *data = text_end(&t);
+  pthread_mutex_lock(&view->lock);
+  char **more = realloc(view->event, ((size_t)view->events + 1) * sizeof *more);
+  if (more != NULL) {
+    view->event = more;
+    view->event[view->events++] = data;
+  }
+  pthread_mutex_unlock(&view->lock);
+  if (more == NULL) free(data);
+}
+
+static char *frame_text(double now, int robots, int rows, const world_pose *poses) {
   text t;
   FILE *out = text_begin(&t);
   if (out == NULL) return NULL;
-  fprintf(out, "{\"t\": %.2f, \"robots\": [", a->now);
-  for (int i = 0; i < a->robots; i++) {
-    const world_pose pose = world_pose_of(a->w, i);
-    fprintf(out, "%s[%.2f, %.2f, %.2f]", i > 0 ? ", " : "", pose.at.x, a->g.grid.rows - pose.at.y, pose.heading);
-  }
+  fprintf(out, "{\"t\": %.2f, \"robots\": [", now);
+  for (int i = 0; i < robots; i++)
+    fprintf(out, "%s[%.2f, %.2f, %.2f]", i > 0 ? ", " : "", poses[i].at.x, rows - poses[i].at.y, poses[i].heading);
   fputs("]", out);
   return text_end(&t);
 }
 
-/* The events of the arena that are not yet kept, each as a text of its own. */
-static void take_events(live *view, const arena *a) {
-  for (int i = view->events; i < a->events; i++) {
-    text t;
-    char **more = realloc(view->event, ((size_t)view->events + 1) * sizeof *more);
-    if (more == NULL) return;
-    view->event = more;
-    if (text_begin(&t) == NULL) return;
-    record_event(t.file, &a->event[i]);
-    view->event[view->events++] = text_end(&t);
-  }
-}
-
-void live_frame(live *view, const record *r, const arena *a, uint64_t seed) {
-  if (a->now + 1e-9 < view->next) return;
-  view->next += FRAME;
-  char *frame = frame_text(a);
+void live_frame(live *view, double now, int robots, int rows, const world_pose *poses) {
+  if (now + 1e-9 < view->next && now > view->next - 2 * FRAME) return;
+  view->next = now + FRAME;
+  char *frame = frame_text(now, robots, rows, poses);
   pthread_mutex_lock(&view->lock);
-  if (view->hello == NULL) view->hello = hello_text(r, a, seed);
-  take_events(view, a);
   free(view->frame);
   view->frame = frame;
   if (view->hello != NULL && view->frame != NULL) view->version++;
@@ -226,15 +227,13 @@ void live_frame(live *view, const record *r, const arena *a, uint64_t seed) {
   pthread_mutex_unlock(&view->lock);
 }
 
-void live_end(live *view, const record *r, const arena *a, const game_result *result) {
+void live_end(live *view, const plan *p, const game_result *result) {
   text t;
   json j;
-  view->next = 0.0;
-  live_frame(view, r, a, 0);
   if (text_begin(&t) == NULL) return;
   json_begin(&j, t.file);
   json_object(&j, NULL);
-  record_result(&j, r->p, result);
+  record_result(&j, p, result);
   json_number(&j, "duration", result->duration);
   json_end_object(&j);
   pthread_mutex_lock(&view->lock);

@@ -12,12 +12,20 @@ typedef struct live live;
 /* Serve at 127.0.0.1:port, 0 for a free one, and say where on standard error. 0, or -1 with *why set. */
 int live_open(live **view, int port, fault *why);
 
+/* Say what is watched: the JSON of record_hello(). Before the first frame. */
+void live_hello(live *view, const plan *p, const record_head *head);
+
 /* Wait until somebody watches, for some seconds at most, or until interrupted. */
 void live_await(live *view, double seconds, const volatile int *interrupted);
 
-/* After a tick of the game, and after its end. */
-void live_frame(live *view, const record *r, const arena *a, uint64_t seed);
-void live_end(live *view, const record *r, const arena *a, const game_result *result);
+/* Something happened; it goes out with the next frame. */
+void live_event(live *view, const arena_event *e);
+
+/* Where the robots are at `now`, in seconds. Frames that come too fast are left out. */
+void live_frame(live *view, double now, int robots, int rows, const world_pose *poses);
+
+/* The game is over. */
+void live_end(live *view, const plan *p, const game_result *result);
 
 /* Let those who watch see the end, then stop serving. NULL does nothing. */
 void live_close(live *view);
