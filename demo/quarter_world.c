@@ -63,6 +63,7 @@ static int gather(bus *b, fault *why) {
     for (missing = 0; missing < a.robots && a.robot[missing].heard; missing++) continue;
     if (missing == a.robots) return 0;
   }
+  if (interrupted != 0) return 0;
   return fault_set(why, "robot %d does not answer: start quarter-robot with this table and bus, --robot %d", missing, missing);
 }
 

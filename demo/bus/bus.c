@@ -17,6 +17,7 @@
 
 #define LATEST (INT64_MAX / 2) /* microseconds: moments up to here can be subtracted from one another */
 #define QUEUE 1000 /* messages that a subscription holds: LCM's own 30 are too few for a burst */
+#define LONGEST 65536u /* bytes of a message; LCM's count is far beyond if a packet ends within the channel's name */
 
 /* One subscription: whose messages go where. */
 typedef struct listener {
@@ -51,6 +52,7 @@ int bus_open(bus **b, const char *url, fault *why) {
   (*b)->lcm = lcm_create(address(url));
   if ((*b)->lcm != NULL) return 0;
   free(*b);
+  *b = NULL;
   return fault_set(why, "%s: this bus cannot be opened; a udpm bus on one machine needs multicast on the loopback: "
                         "'ip link set lo multicast on' and 'ip route add 224.0.0.0/4 dev lo'", address(url));
 }
@@ -87,6 +89,7 @@ static int64_t utime_of(const lcm_recv_buf_t *packet) {
 
 static void log_event(const lcm_recv_buf_t *packet, const char *channel, void *user) {
   bus *b = user;
+  if (packet->data_size > LONGEST) return;
   lcm_eventlog_event_t event = {.timestamp = utime_of(packet),
                                 .channellen = (int32_t)strlen(channel),
                                 .datalen = (int32_t)packet->data_size,
@@ -211,7 +214,8 @@ static bool take_status(const listener *l, const lcm_recv_buf_t *packet) {
   return true;
 }
 
-static bool sound_time(const lcm_recv_buf_t *packet) {
+static bool sound_frame(const lcm_recv_buf_t *packet) {
+  if (packet->data_size > LONGEST) return false;
   const int64_t utime = utime_of(packet);
   return utime >= 0 && utime <= LATEST;
 }
@@ -225,7 +229,7 @@ static void take(const lcm_recv_buf_t *packet, const char *channel, void *user) 
     l->b->counts.lost++;
     return;
   }
-  if (!sound_time(packet) || !takers[l->kind](l, packet)) l->b->counts.ignored++;
+  if (!sound_frame(packet) || !takers[l->kind](l, packet)) l->b->counts.ignored++;
 }
 
 static void subscribe(bus *b, int kind, int robot, void (*hear)(void), void *user) {

@@ -1,4 +1,4 @@
-"""Seeded games by the thousand, as the tables of docs/demo.md: `./run numbers [--games N]`, a few minutes for 1,000."""
+"""Seeded games by the thousand, as the tables of docs/demo.md: `./run games [--games N]`, a few minutes for 1,000."""
 
 import argparse
 import json
@@ -62,7 +62,7 @@ def message_rows(found):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="./run numbers", description=__doc__)
+    parser = argparse.ArgumentParser(prog="./run games", description=__doc__)
     parser.add_argument("tool", help=argparse.SUPPRESS)
     parser.add_argument("--games", type=int, default=1000, help="of each kind (default 1000)")
     asked = parser.parse_args()
