@@ -45,4 +45,11 @@ static inline qtr_cell ground_cell(const ground *g, point p) {
   return (qtr_cell)(row * g->grid.columns + (unsigned)p.x);
 }
 
+/* Steps that the ground takes at a point, 1 off the grid and on blocked cells: how much slower things go there. */
+static inline unsigned ground_slowness(const ground *g, point p) {
+  const qtr_cell cell = ground_cell(g, p);
+  const unsigned cost = cell != QTR_NO_CELL ? qtr_grid_cost(&g->grid, cell) : 1;
+  return cost > 0 ? cost : 1;
+}
+
 #endif

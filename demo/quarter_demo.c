@@ -190,19 +190,26 @@ static int play_many(const settings *s, const fault_script *faults, fault *why) 
 
 /* ---- the command ---- */
 
-static int run(const settings *s, fault *why) {
+/* The plan is made: what is asked for. */
+static int play_as_asked(const settings *s, const fault_script *faults, fault *why) {
+  if (s->processes) return launch(s, &p, &interrupted, why);
+  if (s->follow) return follow(s, &p, &interrupted, why);
+  return s->runs > 0 ? play_many(s, faults, why) : play(s, faults, why);
+}
+
+static int run_plan(const settings *s, fault *why) {
+  const int robots = p.t.policy.board.seekers;
+  const int places = p.t.policy.board.places;
   fault_script faults = {0};
+  if (s->faults != NULL && faults_read(&faults, s->faults, robots, why) != 0) return -1;
+  if (s->mine >= places) return fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
+  if (s->lose_one && s->runs == 0) runs_draw_loss(&faults, &p, s->seed);
+  return play_as_asked(s, &faults, why);
+}
+
+static int run(const settings *s, fault *why) {
   if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, s->save, why) != 0) return -1;
-  int status = s->faults != NULL ? faults_read(&faults, s->faults, p.t.policy.board.seekers, why) : 0;
-  if (status == 0 && s->mine >= p.t.policy.board.places)
-    status = fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, p.t.policy.board.places - 1);
-  if (status == 0 && s->lose_one && s->runs == 0) runs_draw_loss(&faults, &p, s->seed);
-  if (status == 0 && s->processes)
-    status = launch(s, &p, &interrupted, why);
-  else if (status == 0 && s->follow)
-    status = follow(s, &p, &interrupted, why);
-  else if (status == 0)
-    status = s->runs > 0 ? play_many(s, &faults, why) : play(s, &faults, why);
+  const int status = run_plan(s, why);
   plan_free(&p);
   return status;
 }

@@ -115,15 +115,27 @@ static int take_value(settings *s, int letter, const char *value, fault *why) {
   }
 }
 
+/* Ways to play, of which a command names one at most; none: a single game in this process. */
+static int count_ways(const settings *s) {
+  return (s->runs > 0) + s->processes + s->follow + s->live;
+}
+
 static int check(const settings *s, fault *why) {
-  if (s->runs > 0 && (s->replay != NULL || s->log != NULL || s->live || s->processes))
-    return fault_set(why, "--runs plays many games: it goes without -o, --log, --live and --processes");
+  const bool writes = s->replay != NULL || s->log != NULL;
+  if (count_ways(s) > 1) return fault_set(why, "--runs, --live, --follow and --processes do not go together: leave out all but one");
+  if (writes && s->runs > 0) return fault_set(why, "--runs plays many games: it goes without -o and --log");
+  if (writes && s->follow) return fault_set(why, "--follow plays no game of its own: it goes without -o and --log");
   if (s->processes && s->strategy != STRATEGY_PLAN)
     return fault_set(why, "--strategy: robots in processes of their own have the plan alone");
-  if (s->follow && (s->processes || s->live || s->runs > 0 || s->replay != NULL || s->log != NULL))
-    return fault_set(why, "--follow plays no game of its own: it goes with --port, --lcm-url, --table and --robots alone");
-  if (s->processes && s->live) return fault_set(why, "--live follows a game in one process: leave out --processes");
   return 0;
+}
+
+/* What getopt did not take: a letter of a bundle, or a word. */
+static int refuse(int letter, char **argv, fault *why) {
+  char short_form[3] = {'-', (char)optopt, '\0'};
+  const char *word = argv[optind - 1];
+  if (optopt > ' ' && optopt < 127 && strncmp(word, "--", 2) != 0) word = short_form;
+  return fault_set(why, "%s '%s'; --help shows what there is", letter == ':' ? "no value after" : "no such option:", word);
 }
 
 int settings_parse(settings *s, int argc, char **argv, fault *why) {
@@ -132,9 +144,7 @@ int settings_parse(settings *s, int argc, char **argv, fault *why) {
   opterr = 0;
   optind = 1;
   while ((letter = getopt_long(argc, argv, ":o:qh", longs, NULL)) != -1) {
-    if (letter == '?' || letter == ':')
-      return fault_set(why, "%s '%s'; --help shows what there is", letter == ':' ? "no value after" : "no such option:",
-                       argv[optind - 1]);
+    if (letter == '?' || letter == ':') return refuse(letter, argv, why);
     if (take_plain(s, letter, optarg) || take_mark(s, letter, optarg)) continue;
     if (take_value(s, letter, optarg, why) != 0) return -1;
   }

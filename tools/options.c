@@ -458,6 +458,14 @@ static int check_input(options *o, const option_set *set, int argc, char **argv,
   return 0;
 }
 
+/* What getopt did not take: a letter of a bundle, or a word. */
+static int refuse(const option_set *set, int code, const char *word, fault *why) {
+  const char short_form[3] = {'-', (char)optopt, '\0'};
+  if (optopt > ' ' && optopt < 127 && strncmp(word, "--", 2) != 0) word = short_form;
+  return fault_set(why, "quarter %s: %s '%s'; 'quarter %s --help' shows what there is", set->name,
+                   code == ':' ? "no value after" : "no such option, or a value too many:", word, set->name);
+}
+
 int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {
   struct option longs[ROWS + 1];
   char shorts[3 * ROWS];
@@ -467,10 +475,7 @@ int options_parse(options *o, const option_set *set, int argc, char **argv, faul
   optind = 1;
   int code;
   while ((code = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
-    if (code == '?' || code == ':')
-      return fault_set(why, "quarter %s: %s '%s'; 'quarter %s --help' shows what there is", set->name,
-                       code == ':' ? "no value after" : "no such option, or a value too many:", argv[optind - 1],
-                       set->name);
+    if (code == '?' || code == ':') return refuse(set, code, argv[optind - 1], why);
     const option_row *row = find_row(code);
     if (row->take(o, row->name, optarg, why) != 0) return -1;
   }

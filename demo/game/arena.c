@@ -12,7 +12,7 @@
 #define STILL 0.5           /* seconds of standing orders after which a robot counts as stopped */
 #define LINGER 1.0          /* seconds for which the game goes on after the last one stopped */
 #define MOVED 0.3           /* cells that count as making way */
-#define DEADLOCK 20.0       /* seconds without */
+#define DEADLOCK 20.0       /* seconds without, on good ground */
 
 static int64_t utime_of(const arena *a) {
   return (int64_t)llround(1e6 * a->now);
@@ -202,11 +202,12 @@ static void watch_stop(arena *a, int robot) {
 static void watch_deadlock(arena *a, int robot) {
   arena_robot *r = &a->robot[robot];
   const point at = world_pose_of(a->w, robot).at;
+  const double patience = DEADLOCK * ground_slowness(&a->g, at);
   if (r->state != STATE_ALIVE || hypot(at.x - r->anchor.x, at.y - r->anchor.y) > MOVED) {
     r->anchor = at;
     r->anchored = a->now;
     r->deadlocked = false;
-  } else if (!r->deadlocked && a->now - r->anchored > DEADLOCK) {
+  } else if (!r->deadlocked && a->now - r->anchored > patience) {
     r->deadlocked = true;
     a->deadlocks++;
     note(a, (arena_event){0, EVENT_DEADLOCK, robot, -1, -1, 0.0});

@@ -54,20 +54,38 @@ static int read_share(fault_script *script, tree *yaml, tree_node *item, double 
   return add(script, yaml, item, (fault_event){at, kind, robot, share});
 }
 
+/* What a fault is: the one of these keys that it has. */
+static int read_kind(tree *yaml, tree_node *item, int *kind) {
+  static const char *const keys[] = {"lost", "stuck", "slip", "loss"};
+  static const int kinds[] = {FAULT_LOST, FAULT_STUCK, FAULT_SLIP, FAULT_LOSS};
+  int count = 0;
+  for (int i = 0; i < 4; i++) {
+    if (tree_find(yaml, item, keys[i]) == NULL) continue;
+    *kind = kinds[i];
+    count++;
+  }
+  if (count != 1) return tree_fault(yaml, item, "a fault names one of lost, stuck, slip or loss, as {at: 20, lost: 1}");
+  if (*kind != FAULT_STUCK && tree_find(yaml, item, "for") != NULL)
+    return tree_fault(yaml, item, "for goes with stuck, as {at: 15, stuck: 0, for: 10}");
+  if (*kind != FAULT_SLIP && tree_find(yaml, item, "robot") != NULL)
+    return tree_fault(yaml, item, "robot goes with slip, as {at: 0, slip: 0.3, robot: 2}");
+  return 0;
+}
+
 static int read_fault(fault_script *script, tree *yaml, tree_node *item, int robots) {
   static tree_keys keys = {"at", "lost", "stuck", "for", "slip", "robot", "loss", NULL};
   double at;
-  int lost, stuck, robot;
-  if (tree_check_keys(yaml, item, "a fault", keys, false) != 0) return -1;
+  int kind = FAULT_LOST, robot;
+  if (tree_check_keys(yaml, item, "a fault", keys, false) != 0 || read_kind(yaml, item, &kind) != 0) return -1;
   if (read_number(yaml, item, "at", 0.0, LATEST, 0.0, &at) != 0) return -1;
-  if (read_robot(yaml, item, "lost", robots, &lost) != 0 || read_robot(yaml, item, "stuck", robots, &stuck) != 0 ||
-      read_robot(yaml, item, "robot", robots, &robot) != 0)
-    return -1;
-  if (lost >= 0) return add(script, yaml, item, (fault_event){at, FAULT_LOST, lost, 0.0});
-  if (stuck >= 0) return read_stuck(script, yaml, item, at, stuck);
-  if (tree_find(yaml, item, "slip") != NULL) return read_share(script, yaml, item, at, "slip", FAULT_SLIP, robot);
-  if (tree_find(yaml, item, "loss") != NULL) return read_share(script, yaml, item, at, "loss", FAULT_LOSS, -1);
-  return tree_fault(yaml, item, "a fault names one of lost, stuck, slip or loss, as {at: 20, lost: 1}");
+  const char *whose = kind == FAULT_LOST ? "lost" : kind == FAULT_STUCK ? "stuck" : "robot";
+  if (read_robot(yaml, item, whose, robots, &robot) != 0) return -1;
+  switch (kind) {
+  case FAULT_LOST: return add(script, yaml, item, (fault_event){at, FAULT_LOST, robot, 0.0});
+  case FAULT_STUCK: return read_stuck(script, yaml, item, at, robot);
+  case FAULT_SLIP: return read_share(script, yaml, item, at, "slip", FAULT_SLIP, robot);
+  default: return read_share(script, yaml, item, at, "loss", FAULT_LOSS, -1);
+  }
 }
 
 static int read_list(fault_script *script, tree *yaml, int robots) {

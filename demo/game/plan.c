@@ -1,6 +1,6 @@
 #include "plan.h"
 
-#include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,7 +55,16 @@ static bool same_map(const qtr_grid *grid, const qtr_mission *mission) {
   return true;
 }
 
-static const char *difference(const qtr_policy *policy, const qtr_mission *mission) {
+static bool same_likelihoods(const table *t, const qtr_mission *mission) {
+  double sum = 0.0;
+  for (unsigned place = 0; place < mission->places; place++) sum += mission->weight[place];
+  for (unsigned place = 0; place < mission->places; place++)
+    if (fabs(table_probability(t, place) - mission->weight[place] / sum) > 1e-6) return false;
+  return true;
+}
+
+static const char *difference(const table *t, const qtr_mission *mission) {
+  const qtr_policy *policy = &t->policy;
   if (!same_map(&policy->grid, mission)) return "its map is another one";
   if (policy->board.places != mission->places) return "it has other places";
   for (unsigned place = 0; place < mission->places; place++)
@@ -64,12 +73,12 @@ static const char *difference(const qtr_policy *policy, const qtr_mission *missi
   for (unsigned i = 0; i < mission->seekers; i++)
     if (qtr_policy_cell(policy, (unsigned)mission->places + policy->board.start_of[i]) != mission->start[i])
       return "its robots start elsewhere";
-  return NULL;
+  return same_likelihoods(t, mission) ? NULL : "its likelihoods are others";
 }
 
 static int read_table(table *t, const char *path, const options *o, fault *why) {
   if (table_read(t, path, why) != 0) return -1;
-  const char *other = difference(&t->policy, &learnt.p.in.mission);
+  const char *other = difference(t, &learnt.p.in.mission);
   if (other == NULL) return 0;
   table_free(t);
   return fault_set(why, "%s: this table is not of %s: %s; learn it again with 'quarter learn %s -o %s'", path, o->input,

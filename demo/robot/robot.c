@@ -90,7 +90,7 @@ static point position(const robot *r) {
 /* The nearest thing in the direction of a point, in cells. */
 static double nearest_towards(const robot *r, const message_scan *m, point goal) {
   const point at = position(r);
-  const double turn = (atan2(goal.y - at.y, goal.x - at.x) - r->pose.heading) / (2 * PI);
+  const double turn = remainder(atan2(goal.y - at.y, goal.x - at.x) - r->pose.heading, 2 * PI) / (2 * PI);
   const int ray = (int)lround(turn * MESSAGE_RAYS);
   double nearest = EYE_RANGE;
   for (int beside = -1; beside <= 1; beside++) {
@@ -128,14 +128,16 @@ static void take_announcements(robot *r) {
   while (r->pilot.announce(r->pilot.self, &territory)) gossip_learn(&r->known, QTR_SIGNAL_TERRITORY_DONE, territory);
 }
 
-/* Who makes no way tries the other side of the road: a lost robot may lie just where one would turn. */
+/* Who makes no way tries the other side of the road: a lost robot may lie just where one would turn. On slow ground all takes
+ * longer. */
 static double choose_lane(robot *r) {
   const point at = position(r);
+  const int64_t slowness = ground_slowness(&r->g, at);
   if (hypot(at.x - r->anchor.x, at.y - r->anchor.y) > MADE_WAY) {
     r->anchor = at;
     r->anchored = r->utime;
-    if (r->left && r->utime - r->switched > KEEP_LEFT) r->left = false;
-  } else if (r->utime - r->anchored > PATIENCE) {
+    if (r->left && r->utime - r->switched > slowness * KEEP_LEFT) r->left = false;
+  } else if (r->utime - r->anchored > slowness * PATIENCE) {
     r->anchored = r->utime;
     r->switched = r->utime;
     r->left = !r->left;

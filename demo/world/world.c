@@ -135,13 +135,6 @@ static double drift(world *w, double noise) {
   return 0.95 * noise + 0.31 * WORLD_WHEEL_NOISE * rng_normal(&w->dice);
 }
 
-/* Steps that a cell takes are what slows wheels down in it. */
-static double slowness(const world *w, point at) {
-  const qtr_cell cell = ground_cell(&w->g, at);
-  const unsigned cost = cell != QTR_NO_CELL ? qtr_grid_cost(&w->g.grid, cell) : 1;
-  return cost > 0 ? cost : 1;
-}
-
 static float limited(float wanted, float most) {
   return wanted > most ? most : wanted < -most ? -most : wanted;
 }
@@ -151,7 +144,7 @@ static void push(world *w, int robot) {
   v->noise_left = drift(w, v->noise_left);
   v->noise_right = drift(w, v->noise_right);
   const double grip = 1.0 - v->slip * rng_unit(&w->dice);
-  const double go = v->stopped ? 0.0 : grip / slowness(w, world_pose_of(w, robot).at);
+  const double go = v->stopped ? 0.0 : grip / ground_slowness(&w->g, world_pose_of(w, robot).at);
   const double left = go * v->left * (1.0 + v->noise_left);
   const double right = go * v->right * (1.0 + v->noise_right);
   const float speed = (float)((left + right) / 2);
