@@ -16,7 +16,7 @@
 
 typedef struct {
   char folder[PATH_MAX]; /* of the programs */
-  char table[64];        /* a file of the policy table, for all of them */
+  char table[PATH_MAX];  /* a file of the policy table, for all of them */
   pid_t world;
   pid_t robot[WORLD_MOST_ROBOTS];
   int robots;
@@ -34,7 +34,8 @@ static int find_programs(crew *c, fault *why) {
 }
 
 static int write_table(crew *c, const plan *p, fault *why) {
-  snprintf(c->table, sizeof c->table, "/tmp/quarter-demo-XXXXXX");
+  const char *folder = getenv("TMPDIR");
+  snprintf(c->table, sizeof c->table, "%s/quarter-demo-XXXXXX", folder != NULL && folder[0] != '\0' ? folder : "/tmp");
   const int file = mkstemp(c->table);
   if (file < 0) return fault_set(why, "%s: cannot be written: %s", c->table, strerror(errno));
   const ssize_t written = write(file, p->t.bytes.data, p->t.bytes.size);

@@ -7,7 +7,7 @@
 #include <time.h>
 
 #include "bus.h"
-#include "robot.h"
+#include "wiring.h"
 
 #define TABLE_MOST (64u << 20)
 #define PATIENCE 15 /* seconds for a world to show itself */
@@ -34,7 +34,6 @@ static volatile sig_atomic_t ended;
 static qtr_policy policy;
 static qtr_seeker seeker;
 static robot self;
-static time_t last_heard;
 
 static void on_end(int number) {
   (void)number;
@@ -48,38 +47,18 @@ static int complain(const char *what, const char *why) {
 
 /* ---- the bus ---- */
 
-static void say_command(void *user, const message_command *m) {
-  bus_send_command(user, m);
-}
-
-static void say_terminate(void *user, const message_terminate *m) {
-  bus_send_terminate(user, m);
-}
-
-static void hear_pose(void *user, const message_pose *m) {
-  last_heard = time(NULL);
-  robot_hear_pose(user, m);
-}
-
-static void hear_scan(void *user, const message_scan *m) {
-  robot_hear_scan(user, m);
-}
-
-static void hear_terminate(void *user, const message_terminate *m) {
-  robot_hear_terminate(user, m);
-}
-
 /* Until the world is over. Its exit status. */
 static int run(bus *b, const words *w) {
   const time_t begin = time(NULL);
-  const robot_voice voice = {b, say_command, say_terminate};
-  robot_init(&self, &policy, w->self, w->clear_all, robot_pilot_of_plan(&seeker), voice);
-  bus_hear_pose(b, w->self, hear_pose, &self);
-  bus_hear_scan(b, w->self, hear_scan, &self);
-  bus_hear_terminate(b, hear_terminate, &self);
+  time_t last_heard = 0;
+  uint64_t poses = 0;
+  robot_init(&self, &policy, w->self, w->clear_all, robot_pilot_of_plan(&seeker), wiring_voice(b));
+  wiring_listen(b, &self);
   while (!ended) {
     bus_wait(b, 100);
     const time_t now = time(NULL);
+    if (self.poses != poses) last_heard = now;
+    poses = self.poses;
     if (last_heard == 0 && now - begin > PATIENCE) {
       complain("no world on this bus", "start quarter-world first, on the same --lcm-url");
       return 3;

@@ -6,7 +6,7 @@
 #include "baselines.h"
 #include "driver.h"
 #include "progress.h"
-#include "robot.h"
+#include "wiring.h"
 
 /* All that a game needs beside its arena. */
 typedef struct {
@@ -30,29 +30,6 @@ double game_plan_seconds(const table *t) {
   return last * game_step_seconds();
 }
 
-/* ---- a robot's two mouths and three ears ---- */
-
-static void say_command(void *user, const message_command *m) {
-  bus_send_command(user, m);
-}
-
-static void say_terminate(void *user, const message_terminate *m) {
-  bus_send_terminate(user, m);
-}
-
-static void hear_pose(void *user, const message_pose *m) {
-  robot_hear_pose(user, m);
-}
-
-static void hear_scan(void *user, const message_scan *m) {
-  robot_hear_scan(user, m);
-}
-
-/* A lost robot hears nothing and says nothing: the world sends it no more scans, at which it would act. */
-static void hear_terminate(void *user, const message_terminate *m) {
-  robot_hear_terminate(user, m);
-}
-
 /* ---- setting up ---- */
 
 static robot_pilot make_pilot(game *g, const game_setup *setup, int i) {
@@ -65,14 +42,12 @@ static robot_pilot make_pilot(game *g, const game_setup *setup, int i) {
 
 static void man(game *g, const game_setup *setup) {
   const int robots = setup->t->policy.board.seekers;
-  const robot_voice voice = {g->b, say_command, say_terminate};
   for (int i = 0; i < robots; i++)
     baseline_init(&g->baseline[i], &setup->t->policy, i, setup->strategy == STRATEGY_INFORMED ? g->baseline : NULL);
   for (int i = 0; i < robots; i++) {
-    robot_init(&g->crew[i], &setup->t->policy, i, setup->arena.clear_all, make_pilot(g, setup, i), voice);
-    bus_hear_pose(g->b, i, hear_pose, &g->crew[i]);
-    bus_hear_scan(g->b, i, hear_scan, &g->crew[i]);
-    bus_hear_terminate(g->b, hear_terminate, &g->crew[i]);
+    robot_init(&g->crew[i], &setup->t->policy, i, setup->arena.clear_all, make_pilot(g, setup, i),
+               wiring_voice(g->b));
+    wiring_listen(g->b, &g->crew[i]);
   }
 }
 

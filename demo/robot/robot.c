@@ -51,7 +51,7 @@ void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, ro
 
 void robot_hear_pose(robot *r, const message_pose *m) {
   r->pose = *m;
-  r->placed = true;
+  r->poses++;
 }
 
 static void learn(robot *r, int signal, int territory) {
@@ -161,7 +161,7 @@ static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
 void robot_hear_scan(robot *r, const message_scan *m) {
   driver_wheels wheels = {0.0, 0.0};
   r->utime = m->utime;
-  if (r->placed) {
+  if (r->poses > 0) {
     heed_reading(r, m);
     take_announcements(r);
     const uint16_t target = r->pilot.target(r->pilot.self);

@@ -39,7 +39,7 @@ typedef struct {
   robot_voice voice;
   gossip known;
   message_pose pose;
-  bool placed; /* a pose was heard */
+  uint64_t poses; /* heard so far */
   uint16_t target;
   bool way_known; /* `way` leads to the target */
   uint16_t asked; /* the place for which the mine sensor is being read; QTR_STAND_DOWN: none */
