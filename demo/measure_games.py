@@ -58,7 +58,7 @@ def message_rows(found):
     for mission in MISSIONS:
         f = found[mission, "plan"]
         m, games = f["messages"], f["games"]
-        yield [f["mission"], *(f"{m[kind] / games:,.0f}" for kind in ("pose", "scan", "command", "terminate")), "0"]
+        yield [f["mission"], *(f"{m[kind] / games:,.0f}" for kind in ("pose", "scan", "command", "terminate"))]
 
 
 def main():
@@ -74,8 +74,8 @@ def main():
     print("\nWhat dividing the territory is worth: mean time to find.\n")
     print(table(["mission", "the plan", "nearest first, no plan", "less by", "its scans of what is scanned, a game",
                  "nearest first, full communication", "less by"], worth_rows(found)))
-    print("\nMessages a game: only terminate goes from robot to robot.\n")
-    print(table(["mission", "pose", "scan", "command", "terminate", "other"], message_rows(found)))
+    print("\nMessages a game; only terminate goes from robot to robot.\n")
+    print(table(["mission", "pose", "scan", "command", "terminate"], message_rows(found)))
     return 0
 
 
