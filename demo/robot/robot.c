@@ -36,8 +36,6 @@ robot_pilot robot_pilot_of_plan(qtr_seeker *seeker) {
   return (robot_pilot){seeker, plan_target, plan_visited, plan_hear, plan_announce};
 }
 
-/* ---- what it hears ---- */
-
 void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, robot_pilot pilot, robot_voice voice) {
   memset(r, 0, offsetof(robot, way));
   r->policy = policy;
@@ -49,18 +47,8 @@ void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, ro
   r->asked = QTR_STAND_DOWN;
 }
 
-void robot_hear_pose(robot *r, const message_pose *m) {
-  r->pose = *m;
-  r->poses++;
-}
-
-static void learn(robot *r, int signal, int territory) {
-  if (signal == QTR_SIGNAL_FOUND && r->clear_all) return;
-  if (gossip_learn(&r->known, signal, territory)) r->pilot.hear(r->pilot.self, signal, (unsigned)territory);
-}
-
-void robot_hear_terminate(robot *r, const message_terminate *m) {
-  if (m->sender != r->self) learn(r, m->signal, m->signal == QTR_SIGNAL_FOUND ? 0 : m->territory);
+bool robot_stopped(const robot *r) {
+  return r->known.found || r->pilot.target(r->pilot.self) == QTR_STAND_DOWN;
 }
 
 /* ---- what it says ---- */
@@ -77,11 +65,36 @@ static void say_command(const robot *r, driver_wheels wheels) {
   r->voice.command(r->voice.user, &m);
 }
 
-/* ---- what it does ---- */
+/* ---- what it hears ---- */
 
-bool robot_stopped(const robot *r) {
-  return r->known.found || r->pilot.target(r->pilot.self) == QTR_STAND_DOWN;
+/* Who has stopped says so whenever it hears anything: its standing order may have been lost. */
+static void rest(robot *r) {
+  const driver_wheels none = {0.0, 0.0};
+  r->asked = QTR_STAND_DOWN;
+  say_command(r, none);
+  gossip_repeat(&r->known, r->utime, say_signal, r);
 }
+
+static void learn(robot *r, int signal, int territory) {
+  if (signal == QTR_SIGNAL_FOUND && r->clear_all) return;
+  if (gossip_learn(&r->known, signal, territory)) r->pilot.hear(r->pilot.self, signal, (unsigned)territory);
+}
+
+void robot_hear_pose(robot *r, const message_pose *m) {
+  r->pose = *m;
+  r->poses++;
+  if (!robot_stopped(r)) return;
+  r->utime = m->utime;
+  rest(r);
+}
+
+void robot_hear_terminate(robot *r, const message_terminate *m) {
+  if (m->sender == r->self) return;
+  learn(r, m->signal, m->signal == QTR_SIGNAL_FOUND ? 0 : m->territory);
+  if (r->known.news && robot_stopped(r)) rest(r);
+}
+
+/* ---- what it does ---- */
 
 static point position(const robot *r) {
   return ground_point(&r->g, r->pose.x, r->pose.y);

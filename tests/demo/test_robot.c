@@ -214,8 +214,8 @@ static void test_a_mine_in_a_scan_that_was_not_read_is_none(void) {
 
 static void test_hearing_of_a_find_it_stops_and_passes_it_on(void) {
   place_at(start_cell(), 0.0, 0);
+  commands = signals = 0;
   hear(1, QTR_SIGNAL_FOUND, INT_MAX); /* its territory counts for nothing */
-  act(0, UNREAD);
   TEST_ASSERT_TRUE(robot_stopped(&r));
   TEST_ASSERT_FALSE(drives());
   TEST_ASSERT_EQUAL_INT(1, signals);
