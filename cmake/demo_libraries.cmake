@@ -30,3 +30,8 @@ if(NOT box2d_FOUND)
   find_package(box2d CONFIG REQUIRED PATHS ${QUARTER_DEMO_WHEELS}/lib64/cmake/box2d NO_DEFAULT_PATH)
 endif()
 include(${LCM_USE_FILE})
+
+# Where LCM's programs lie: lcm-logger, lcm-logplayer and others.
+get_target_property(programs lcm-gen LOCATION)
+get_filename_component(programs ${programs} DIRECTORY)
+set(QUARTER_LCM_PROGRAMS ${programs} CACHE INTERNAL "Folder of LCM's programs")

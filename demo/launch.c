@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "world.h"
@@ -40,14 +41,27 @@ static int write_table(crew *c, const plan *p, fault *why) {
   if (file < 0) return fault_set(why, "%s: cannot be written: %s", c->table, strerror(errno));
   const ssize_t written = write(file, p->t.bytes.data, p->t.bytes.size);
   close(file);
-  return written == (ssize_t)p->t.bytes.size ? 0 : fault_set(why, "%s: cannot be written whole", c->table);
+  if (written == (ssize_t)p->t.bytes.size) return 0;
+  unlink(c->table);
+  return fault_set(why, "%s: cannot be written whole; is the disk full?", c->table);
 }
 
-/* Each child is a process group of its own: Ctrl-C reaches the launcher alone, which ends them in order. */
+/* Each child is a process group of its own: Ctrl-C reaches the launcher alone, which ends them in order. A signal that comes
+ * before the program runs ends the child; the launcher's handler, which it has until then, would swallow it. */
 static pid_t start(const crew *c, const char *program, const char *const *words) {
   char path[PATH_MAX + 32];
+  sigset_t ends, before;
   snprintf(path, sizeof path, "%s/%s", c->folder, program);
+  sigemptyset(&ends);
+  sigaddset(&ends, SIGINT);
+  sigaddset(&ends, SIGTERM);
+  sigprocmask(SIG_BLOCK, &ends, &before);
   const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGINT, SIG_DFL);
+    signal(SIGTERM, SIG_DFL);
+  }
+  sigprocmask(SIG_SETMASK, &before, NULL);
   if (child != 0) return child;
   setpgid(0, 0);
   execv(path, (char *const *)(uintptr_t)words);
@@ -130,17 +144,20 @@ static void note_end_of_robot(crew *c, pid_t child, int status) {
   }
 }
 
-/* Until the world ends. Returns its wait status. */
+/* Until the world ends. Returns its wait status. Looks every now and then, for an interrupt that comes just before a wait
+ * would be waited through. */
 static int watch(crew *c, const volatile int *interrupted) {
+  const struct timespec soon = {0, 20000000};
   bool told = false;
   for (;;) {
     int status = 0;
     if (*interrupted != 0 && !told) kill(c->world, SIGINT);
     told = *interrupted != 0;
-    const pid_t child = waitpid(-1, &status, 0);
+    const pid_t child = waitpid(-1, &status, WNOHANG);
     if (child == c->world) return status;
     if (child > 0) note_end_of_robot(c, child, status);
     if (child < 0 && errno != EINTR) return -1;
+    if (child <= 0) nanosleep(&soon, NULL);
   }
 }
 

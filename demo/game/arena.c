@@ -13,6 +13,7 @@
 #define LINGER 1.0          /* seconds for which the game goes on after the last one stopped */
 #define MOVED 0.3           /* cells that count as making way */
 #define DEADLOCK 20.0       /* seconds without, on good ground */
+#define SILENCE 10.0        /* seconds without a command after which a robot counts as lost: its program has ended */
 
 static int64_t utime_of(const arena *a) {
   return (int64_t)llround(1e6 * a->now);
@@ -185,6 +186,12 @@ static void strike_what_is_due(arena *a) {
 
 /* ---- time ---- */
 
+static void watch_silence(arena *a, int robot) {
+  static const fault_event lost = {.kind = FAULT_LOST};
+  const arena_robot *r = &a->robot[robot];
+  if (r->heard && a->now - (double)r->commanded / 1e6 > SILENCE) strike(a, &lost, robot);
+}
+
 static void watch_stop(arena *a, int robot) {
   arena_robot *r = &a->robot[robot];
   if (r->state == STATE_LOST) return;
@@ -222,6 +229,7 @@ void arena_advance(arena *a) {
   a->ticks++;
   a->now = (double)a->ticks * ARENA_TICK;
   for (int robot = 0; robot < a->robots; robot++) {
+    watch_silence(a, robot);
     watch_stop(a, robot);
     watch_deadlock(a, robot);
   }
