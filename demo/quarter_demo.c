@@ -207,7 +207,17 @@ static int run_plan(const settings *s, fault *why) {
   return play_as_asked(s, &faults, why);
 }
 
+/* Whether the page can be written, found out before the game and not after it. */
+static int check_output(const settings *s, fault *why) {
+  outfile out;
+  if (s->replay == NULL) return 0;
+  if (outfile_open(&out, s->replay, why) != 0) return -1;
+  outfile_abort(&out);
+  return 0;
+}
+
 static int run(const settings *s, fault *why) {
+  if (check_output(s, why) != 0) return -1;
   if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, s->save, why) != 0) return -1;
   const int status = run_plan(s, why);
   plan_free(&p);
