@@ -158,7 +158,7 @@ static int from_table(sheet *s, const table *t, fault *why) {
   s->cost = malloc(cells);
   if (s->cost == NULL) return fault_set(why, "no memory for the picture");
   s->d.cost = s->cost;
-  for (uint32_t cell = 0; cell < cells; cell++) s->cost[cell] = (uint8_t)qtr_grid_cost(&policy->grid, cell);
+  for (uint32_t cell = 0; cell < cells; cell++) s->cost[cell] = (uint8_t)qtr_grid_cost(&policy->grid, (qtr_cell)cell);
   s->d.columns = policy->grid.columns;
   s->d.rows = policy->grid.rows;
   s->d.cell_size = policy->frame.cell_size_um / 1e6;
