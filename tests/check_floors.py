@@ -2,7 +2,7 @@
 
 The floors are those of the table in docs/DESIGN.md. A file includes headers of lower floors, and `config`, which lies
 under all; the robot side only its own column. From outside it includes the headers below and nothing else. The robot
-side names no floating-point type and holds no floating-point constant.
+side names no floating-point type and holds no floating-point constant. In the demo, each library is included by one file.
 """
 
 import pathlib
@@ -19,6 +19,8 @@ ROW = re.compile(r"^\|\s*(\d+)\s*\|([^|]*)\|([^|]*)\|", re.MULTILINE)
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>]+)>|"([^"]+)"|(\S+))', re.MULTILINE)
 FLOATING = re.compile(r"\b(?:float|double)\b|(?<![\w.])(?:\d+\.\d*|\.\d+|\d+[eE][+-]?\d+)")
 UMBRELLAS = {"robot", "learn"}
+# The demo's libraries, and the one file that knows of each.
+HOMES = {"box2d/": "demo/world/world.c", "lcm/": "demo/bus/bus.c", "civetweb.h": "demo/live/live.c"}
 
 
 def read_floors(document):
@@ -88,6 +90,16 @@ def check_umbrella(side, text, public, floors):
     ]
 
 
+def check_home(name, text):
+    faults = []
+    for match in INCLUDE.finditer(text):
+        header = match.group(1) or match.group(2) or ""
+        for library, home in HOMES.items():
+            if header.startswith(library) and name != home:
+                faults.append(f"{name}:{line_of(text, match.start())}: {header} is for {home} alone")
+    return faults
+
+
 def prove_that_it_fails():
     floors = read_floors(
         "| floor | robot | learn | what |\n| 0 | `config` (private: `bytes`) | | |\n"
@@ -112,6 +124,13 @@ def prove_that_it_fails():
             ("a file on the wrong side", ("lib/learn/grid.c", "", floors), 1),
         ],
         check_file,
+    )
+    self_test(
+        [
+            ("a library at home", ("demo/bus/bus.c", "#include <lcm/lcm.h>\n"), 0),
+            ("a library abroad", ("demo/robot/robot.c", "#include <lcm/lcm.h>\n"), 1),
+        ],
+        check_home,
     )
     public = ["config", "grid", "game"]
     whole = '#include "quarter/config.h"\n#include "quarter/grid.h"\n'
@@ -141,6 +160,8 @@ def main():
         faults += check_file(name, path.read_text(encoding="utf-8"), floors)
     for side in sorted(UMBRELLAS):
         faults += check_umbrella(side, headers[side].read_text(encoding="utf-8"), public, floors)
+    for path in sorted((project / "demo").rglob("*.[ch]")):
+        faults += check_home(path.relative_to(project).as_posix(), path.read_text(encoding="utf-8"))
     report(faults, f"{len(public) + len(sources)} files keep to their floors")
 
 

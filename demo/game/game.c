@@ -40,7 +40,7 @@ static robot_pilot make_pilot(game *g, const game_setup *setup, int i) {
   return baseline_pilot(&g->baseline[i]);
 }
 
-static void man(game *g, const game_setup *setup) {
+static void make_crew(game *g, const game_setup *setup) {
   const int robots = setup->t->policy.board.seekers;
   for (int i = 0; i < robots; i++)
     baseline_init(&g->baseline[i], &setup->t->policy, i, setup->strategy == STRATEGY_INFORMED ? g->baseline : NULL);
@@ -57,7 +57,7 @@ static int open_game(game *g, const game_setup *setup, fault *why) {
   if (bus_open(&g->b, BUS_IN_PROCESS, why) != 0) return -1;
   if (setup->log != NULL && bus_record(g->b, setup->log, why) != 0) return -1;
   if (arena_open(&g->a, setup->t, g->b, &setup->arena, why) != 0) return -1;
-  man(g, setup);
+  make_crew(g, setup);
   return 0;
 }
 

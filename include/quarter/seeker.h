@@ -57,8 +57,8 @@ uint16_t qtr_seeker_target(const qtr_seeker *seeker);
 void qtr_seeker_visited(qtr_seeker *seeker, unsigned place);
 
 /* A signal was heard, or, for FOUND, the robot found the target itself. It may change the target. Not from an interrupt while
- * another function of this module runs: keep the signal and hear it between two moves. `territory` counts for TERRITORY_DONE alone;
- * a number out of range or an unknown signal is ignored. */
+ * another function of this module runs: keep the signal and hear it between two moves. `territory` counts for
+ * TERRITORY_DONE alone; a number out of range or an unknown signal is ignored. */
 void qtr_seeker_hear(qtr_seeker *seeker, int signal, unsigned territory);
 
 /* Take a territory that this robot has finished and must announce as TERRITORY_DONE. False if there is none: call until
