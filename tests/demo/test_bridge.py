@@ -374,10 +374,10 @@ class TestRefusals(Bridge):
         live = ["--live", "--seconds", "1", "--mcap", self.mcap]
         for package, module, words in (("rerun-sdk", "rerun", [log, "--rerun", self.rrd]),
                                        ("mcap", "mcap", [log, "--mcap", self.mcap]), ("lcm", "lcm", live)):
-            stub = self.folder / package
-            stub.mkdir()
-            (stub / f"{module}.py").write_text("raise ImportError\n")
-            paths = [str(stub), *filter(None, [os.environ.get("PYTHONPATH")])]
+            broken = self.folder / package
+            broken.mkdir()
+            (broken / f"{module}.py").write_text("raise ImportError\n")
+            paths = [str(broken), *filter(None, [os.environ.get("PYTHONPATH")])]
             self.refuse(f"package {package} is missing; .*requirements.txt", *words,
                         env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)})
 
