@@ -49,7 +49,9 @@ static void compare_places(follower *f, const message_status *m) {
 }
 
 static void compare_robots(follower *f, const message_status *m) {
-  static const int kinds[] = {[STATE_ALIVE] = EVENT_UNSTUCK, [STATE_STOPPED] = EVENT_STOPPED, [STATE_LOST] = EVENT_LOST,
+  static const int kinds[] = {[STATE_ALIVE] = EVENT_UNSTUCK,
+                              [STATE_STOPPED] = EVENT_STOPPED,
+                              [STATE_LOST] = EVENT_LOST,
                               [STATE_STUCK] = EVENT_STUCK};
   for (int i = 0; i < m->robots && i < f->robots; i++) {
     if (m->state[i] == f->last.state[i] || m->state[i] < STATE_ALIVE || m->state[i] > STATE_STUCK) continue;

@@ -154,13 +154,17 @@ static void write_figures(FILE *out, const runs_figures *f, const settings *s) {
 
 static void tell_figures(FILE *out, const runs_figures *f, const settings *s) {
   static const char *const strategies[] = {"the plan", "nearest first, no plan", "nearest first, full communication"};
-  fprintf(out, "%s, %s%s: %d games, found in %d\n", p.name, strategies[s->strategy], s->lose_one ? ", one robot lost" : "",
-          f->games, f->found);
-  fprintf(out, "time to find: mean %.2f s (planned for the same mines %.2f, expected %.2f), median %.1f, 90 %% %.1f, most %.1f\n",
+  fprintf(out, "%s, %s%s: %d games, found in %d\n", p.name, strategies[s->strategy],
+          s->lose_one ? ", one robot lost" : "", f->games, f->found);
+  fprintf(out,
+          "time to find: mean %.2f s (planned for the same mines %.2f, expected %.2f), median %.1f, 90 %% %.1f, most "
+          "%.1f\n",
           f->mean, f->planned_mean, f->expected, runs_quantile(f, 0.5), runs_quantile(f, 0.9), runs_quantile(f, 1.0));
-  fprintf(out, "a game: %.2f places scanned, %.3f of them again, %.3f collisions; games with a deadlock: %d; %.0f times real time\n",
-          (double)f->scanned / f->games, (double)f->duplicates / f->games, (double)f->collisions / f->games, f->deadlocked,
-          f->simulated / f->wall);
+  fprintf(out,
+          "a game: %.2f places scanned, %.3f of them again, %.3f collisions; games with a deadlock: %d; %.0f times "
+          "real time\n",
+          (double)f->scanned / f->games, (double)f->duplicates / f->games, (double)f->collisions / f->games,
+          f->deadlocked, f->simulated / f->wall);
   if (f->odd > 0) fprintf(out, "not found or a deadlock:");
   for (int i = 0; i < f->odd && i < RUNS_ODD; i++) fprintf(out, " --seed %llu", (unsigned long long)f->odd_seed[i]);
   if (f->odd > 0) fputc('\n', out);
@@ -202,7 +206,8 @@ static int run_plan(const settings *s, fault *why) {
   const int places = p.t.policy.board.places;
   fault_script faults = {0};
   if (s->faults != NULL && faults_read(&faults, s->faults, robots, why) != 0) return -1;
-  if (s->mine >= places) return fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
+  if (s->mine >= places)
+    return fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
   if (s->lose_one && s->runs == 0) runs_draw_loss(&faults, &p, s->seed);
   return play_as_asked(s, &faults, why);
 }

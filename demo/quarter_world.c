@@ -15,10 +15,12 @@
 static const char help[] =
     "quarter-world MISSION --table mission.qtr       the world of a mission, for robots in processes of their own\n"
     "\n"
-    "quarter-demo --processes starts it with its robots. By hand: this, and 'quarter-robot mission.qtr --robot N' for each\n"
+    "quarter-demo --processes starts it with its robots. By hand: this, and 'quarter-robot mission.qtr --robot N' for "
+    "each\n"
     "robot. The game begins when all robots answer, and runs in real time.\n"
     "\n"
-    "Options, as of quarter-demo: -o, --log, --seed, --mine, --clear-all, --faults, --robots, --table, --speed, --lcm-url,\n"
+    "Options, as of quarter-demo: -o, --log, --seed, --mine, --clear-all, --faults, --robots, --table, --speed, "
+    "--lcm-url,\n"
     "--json, --quiet.\n"
     "\n"
     "Exit status: 0 the game is over; 2 bad input, no robots, or another world on the bus; 130 ended by Ctrl-C.\n";
@@ -64,7 +66,8 @@ static int gather(bus *b, fault *why) {
     if (missing == a.robots) return 0;
   }
   if (interrupted != 0) return 0;
-  return fault_set(why, "robot %d does not answer: start quarter-robot with this table and bus, --robot %d", missing, missing);
+  return fault_set(why, "robot %d does not answer: start quarter-robot with this table and bus, --robot %d", missing,
+                   missing);
 }
 
 /* Ticks keep to the clock, but after a hold-up time is not made up for: in a burst of ticks no robot could answer. */

@@ -7,8 +7,27 @@
 
 #include "game.h"
 
-enum letter { TABLE = 1, SAVE, LOG, FAULTS, LCM_URL, JSON, CLEAR_ALL, LOSE_ONE, PROCESSES, LIVE, FOLLOW, PORT, ROBOTS, MINE, RUNS,
-              STRATEGY, SEED, SPEED, LEARN_LIMIT };
+enum letter {
+  TABLE = 1,
+  SAVE,
+  LOG,
+  FAULTS,
+  LCM_URL,
+  JSON,
+  CLEAR_ALL,
+  LOSE_ONE,
+  PROCESSES,
+  LIVE,
+  FOLLOW,
+  PORT,
+  ROBOTS,
+  MINE,
+  RUNS,
+  STRATEGY,
+  SEED,
+  SPEED,
+  LEARN_LIMIT
+};
 
 static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"table", required_argument, NULL, TABLE},
@@ -122,7 +141,8 @@ static int count_ways(const settings *s) {
 
 static int check(const settings *s, fault *why) {
   const bool writes = s->replay != NULL || s->log != NULL;
-  if (count_ways(s) > 1) return fault_set(why, "--runs, --live, --follow and --processes do not go together: leave out all but one");
+  if (count_ways(s) > 1)
+    return fault_set(why, "--runs, --live, --follow and --processes do not go together: leave out all but one");
   if (writes && s->runs > 0) return fault_set(why, "--runs plays many games: it goes without -o and --log");
   if (writes && s->follow) return fault_set(why, "--follow plays no game of its own: it goes without -o and --log");
   if (s->processes && s->strategy != STRATEGY_PLAN)
@@ -135,7 +155,8 @@ static int refuse(int letter, char **argv, fault *why) {
   char short_form[3] = {'-', (char)optopt, '\0'};
   const char *word = argv[optind - 1];
   if (optopt > ' ' && optopt < 127 && strncmp(word, "--", 2) != 0) word = short_form;
-  return fault_set(why, "%s '%s'; --help shows what there is", letter == ':' ? "no value after" : "no such option:", word);
+  return fault_set(why, "%s '%s'; --help shows what there is",
+                   letter == ':' ? "no value after" : "no such option:", word);
 }
 
 int settings_parse(settings *s, int argc, char **argv, fault *why) {
@@ -149,7 +170,8 @@ int settings_parse(settings *s, int argc, char **argv, fault *why) {
     if (take_value(s, letter, optarg, why) != 0) return -1;
   }
   if (s->help) return 0;
-  if (optind + 1 != argc) return fault_set(why, "name one mission, as demo/missions/minefield/mission.yaml; --help shows how");
+  if (optind + 1 != argc)
+    return fault_set(why, "name one mission, as demo/missions/minefield/mission.yaml; --help shows how");
   s->mission = argv[optind];
   return check(s, why);
 }

@@ -33,8 +33,8 @@ static void set_up_game(void) {
 
 /* The rule that targets are chosen by is the mission's; the ground is played by the free one. */
 static void set_up_aggregate(const qtr_spots_config *spots, uint8_t order, const qtr_regions *by_regions) {
-  const qtr_aggregation how = {mission.rule, spots != NULL, spots != NULL ? *spots : (qtr_spots_config){1, 1, 0.0}, order,
-                               by_regions,   region_times};
+  const qtr_aggregation how = {mission.rule, spots != NULL, spots != NULL ? *spots : (qtr_spots_config){1, 1, 0.0},
+                               order,        by_regions,    region_times};
   game.board.rule = QTR_RULE_FREE;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&aggregate, &game, &how, &field), case_note);
 }
@@ -74,7 +74,8 @@ static void test_without_aggregation_it_is_the_game(void) {
       const uint16_t choice = random_choice(&random, &state.joint, &game.board, seeker);
       TEST_ASSERT_EQUAL_INT_MESSAGE(seeker, qtr_joint_chooser(&situation.joint, &ground.board), case_note);
       TEST_ASSERT_TRUE_MESSAGE(qtr_environment_choose(&ground, &situation, seeker, choice) ==
-                                   qtr_game_choose(&game, &state, seeker, choice), case_note);
+                                   qtr_game_choose(&game, &state, seeker, choice),
+                               case_note);
       expect_same_key(&situation, &state);
       qtr_environment_pass(&ground, &situation, &seen);
       qtr_game_pass(&game, &state, &truth);

@@ -3,8 +3,10 @@
 
 static tool_result learnt, solved;
 
-void setUp(void) {}
-void tearDown(void) {}
+void setUp(void) {
+}
+void tearDown(void) {
+}
 
 static void check_case(const char *name, int robots, const char *objective, double optimum) {
   char message[128];

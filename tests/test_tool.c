@@ -16,7 +16,8 @@ void setUp(void) {
   remove("t.json");
 }
 
-void tearDown(void) {}
+void tearDown(void) {
+}
 
 static int exists(const char *path) {
   struct stat about;
@@ -62,10 +63,10 @@ static void test_learning_writes_a_table_that_simulates_to_the_same_value(void) 
 }
 
 static void test_json_has_every_documented_key(void) {
-  static const char *const keys[] = {"cells",     "places",  "robots",        "objective",       "gamma",     "rule",
-                                     "value",     "gap",     "expected_time", "objective_value", "certified", "episodes",
-                                     "updates",   "q_bytes", "q_entries",     "objective_bound", "seconds",   "seed",
-                                     "routes",    "seeker",  "steps"};
+  static const char *const keys[] = {"cells",   "places",  "robots",        "objective",       "gamma",     "rule",
+                                     "value",   "gap",     "expected_time", "objective_value", "certified", "episodes",
+                                     "updates", "q_bytes", "q_entries",     "objective_bound", "seconds",   "seed",
+                                     "routes",  "seeker",  "steps"};
   run_tool(&result, "learn small.txt --robots 2 --json");
   run_tool(&other, "exact small.txt --robots 2 --json");
   for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
@@ -184,7 +185,8 @@ static int run_interrupted(const char *mission) {
     sigaddset(&interrupt, SIGINT);
     sigprocmask(SIG_BLOCK, &interrupt, NULL);
     raise(SIGINT);
-    execl(QUARTER_TOOL, "quarter", "learn", mission, "--robots", "8", "--gap", "0", "--quiet", "-o", "t.qtr", (char *)NULL);
+    execl(QUARTER_TOOL, "quarter", "learn", mission, "--robots", "8", "--gap", "0", "--quiet", "-o", "t.qtr",
+          (char *)NULL);
     _exit(127);
   }
   TEST_ASSERT_TRUE(child > 0 && waitpid(child, &status, 0) == child);
@@ -228,7 +230,8 @@ static void test_value_is_the_grounds_under_every_aggregation(void) {
   expect_ground_value("--aggregate spots");
   expect_ground_value("--aggregate spots --spot-order nearest --spot-likelihood 0.5");
   expect_ground_value("--learner paper --episodes 300");
-  expect_ground_value("--learner paper --rule paper --episodes 300 --aggregate regions --region-size 9 --region-diameter 6");
+  expect_ground_value(
+      "--learner paper --rule paper --episodes 300 --aggregate regions --region-size 9 --region-diameter 6");
   expect_ground_value("--learner paper --rule paper --episodes 300 --aggregate both --explore softmax:2:0.5:0.99");
 }
 
@@ -316,16 +319,20 @@ static void test_bad_drawings(void) {
 static void test_bad_missions(void) {
   expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 0, row: 1, weight: 1}]\n",
                      "place 0");
-  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 9, row: 1, weight: 1}]\n", "bad.yaml:3");
+  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 9, row: 1, weight: 1}]\n",
+                     "bad.yaml:3");
   expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: 1},\n"
-                     "  {column: 1, row: 1, weight: 2}]\n", "place 1");
-  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: 0}]\n", "weight");
+                     "  {column: 1, row: 1, weight: 2}]\n",
+                     "place 1");
+  expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: 0}]\n",
+                     "weight");
   expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: .nan}]\n",
                      "weight");
   expect_bad_mission("map: small.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1, weight: 1e999}]\n",
                      "weight");
   expect_bad_mission("map: small.txt\nrobots: []\nplaces: [{column: 1, row: 1}]\n", "robots");
-  expect_bad_mission("map: small.txt\ngamma: 1\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1}]\n", "gamma");
+  expect_bad_mission("map: small.txt\ngamma: 1\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1}]\n",
+                     "gamma");
   expect_bad_mission("map: small.txt\nrobtos: [{column: 0, row: 0}]\n", "robtos");
   expect_bad_mission("map: nowhere.txt\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 1}]\n", "nowhere.txt");
   expect_bad_mission("map: [1\n", "bad.yaml:");

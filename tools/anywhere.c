@@ -15,11 +15,11 @@
 typedef struct {
   study *s;
   const options *o;
-  qtr_board board;   /* its starts are the regions, if they are asked for, and then the mission's own */
-  uint16_t regions;  /* starts that crews are drawn from; 0: the mission's own alone */
-  uint8_t *steps;    /* the board's */
-  qtr_cell *start;   /* cell of each start */
-  uint16_t *region;  /* of each cell; NULL: none */
+  qtr_board board;  /* its starts are the regions, if they are asked for, and then the mission's own */
+  uint16_t regions; /* starts that crews are drawn from; 0: the mission's own alone */
+  uint8_t *steps;   /* the board's */
+  qtr_cell *start;  /* cell of each start */
+  uint16_t *region; /* of each cell; NULL: none */
   uint8_t *records;
   uint64_t count, room;
   uint8_t rank; /* of the records being added: among records of one state the lowest stays */
@@ -45,9 +45,11 @@ static int check_size(const builder *b, fault *why) {
   const double states = count_games(b) * (b->board.places * (b->o->any_cleared ? 0.5 : 1.0) + b->board.seekers - 1);
   const double bytes = states * qtr_record_bytes(&b->board);
   if (bytes <= b->o->table_limit * 1e6) return 0;
-  return fault_set(why, "%s: the table would take about %.3g MB for %.3g games, and --table-limit allows %.3g MB; allow more, or "
-                        "make the regions larger with --region-size and --region-diameter",
-                   b->o->input, bytes / 1e6, count_games(b), b->o->table_limit);
+  return fault_set(
+      why,
+      "%s: the table would take about %.3g MB for %.3g games, and --table-limit allows %.3g MB; allow more, or "
+      "make the regions larger with --region-size and --region-diameter",
+      b->o->input, bytes / 1e6, count_games(b), b->o->table_limit);
 }
 
 /* ---- the board of all starts ---- */
@@ -72,8 +74,10 @@ static void measure(builder *b) {
 static int divide(builder *b, fault *why) {
   if (study_divide(b->s, b->o, why) != 0) return -1;
   if (b->s->regions.count + b->s->p.game.board.starts > QTR_MAX_STARTS)
-    return fault_set(why, "%s: %" PRIu32 " regions are too many for a table; make them larger with --region-size and "
-                          "--region-diameter", b->o->input, b->s->regions.count);
+    return fault_set(why,
+                     "%s: %" PRIu32 " regions are too many for a table; make them larger with --region-size and "
+                     "--region-diameter",
+                     b->o->input, b->s->regions.count);
   b->regions = (uint16_t)b->s->regions.count;
   return 0;
 }
@@ -176,8 +180,8 @@ static int record_game(builder *b, const uint16_t *start_of, uint64_t cleared, c
     const uint16_t choice = on ? number[routes->place[seeker][next[seeker]++]] : QTR_STAND_DOWN;
     status = add_record(b, &joint, choice, why);
     qtr_joint_choose(&joint, &b->board, seeker, choice);
-  } while (status == 0 && (qtr_joint_chooser(&joint, &b->board) != QTR_NOBODY ||
-                           qtr_joint_advance(&joint, &b->board, NULL) > 0));
+  } while (status == 0 &&
+           (qtr_joint_chooser(&joint, &b->board) != QTR_NOBODY || qtr_joint_advance(&joint, &b->board, NULL) > 0));
   memcpy(b->board.start_of, own, sizeof own);
   return status;
 }
@@ -259,9 +263,9 @@ static void sort_records(builder *b) {
 static uint32_t write_table(builder *b, uint8_t **bytes, fault *why) {
   qtr_certificate certificate;
   qtr_learner_certificate(&b->s->learner, &certificate);
-  const qtr_table_content content = {&b->s->p.in.mission, &b->board,   b->s->p.game.probability,
-                                     b->start,            b->region,   b->records,
-                                     (uint32_t)b->count,  &certificate, b->o->seed};
+  const qtr_table_content content = {&b->s->p.in.mission, &b->board,  b->s->p.game.probability, b->start,
+                                     b->region,           b->records, (uint32_t)b->count,       &certificate,
+                                     b->o->seed};
   const uint32_t size = qtr_table_size(&content);
   *bytes = malloc(size);
   const int32_t written = *bytes != NULL ? qtr_table_write(&content, *bytes, size) : QTR_ERR_SPACE;
@@ -318,8 +322,8 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
   draws = b->o->seed;
   for (int tries = 0; report->trials < ANYWHERE_TRIALS && tries < 100 * ANYWHERE_TRIALS; tries++) {
     qtr_cell starts[QTR_MAX_SEEKERS];
-    for (unsigned i = 0; i < mission->seekers; i++)
-      do starts[i] = (qtr_cell)draw(cells);
+    for (unsigned i = 0; i < mission->seekers; i++) do
+        starts[i] = (qtr_cell)draw(cells);
       while (mission->cost[starts[i]] == 0);
     make_rest(b, starts, 0, number);
     if (qtr_policy_deploy(&t.policy, starts) != QTR_OK || !learn_rest(b, why)) continue;

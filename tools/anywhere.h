@@ -12,8 +12,8 @@
 
 /* What the ground says of the table's policies from random starts, against policies learnt for those starts alone. */
 typedef struct {
-  uint64_t games;           /* learnt for the table */
-  uint32_t regions;         /* 0: the mission's starts alone */
+  uint64_t games;   /* learnt for the table */
+  uint32_t regions; /* 0: the mission's starts alone */
   int trials;
   double median_loss, worst_loss; /* of the objective, relative; 0.01 is one per cent */
 } anywhere_report;

@@ -136,11 +136,11 @@ static int walk(sheet *s, const table *t, int seeker, fault *why) {
 
 static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {
   const qtr_board *board = &t->policy.board;
-  s->seeker[seeker] = (drawing_seeker){
-      .start = qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[seeker]),
-      .places = s->route[seeker].places,
-      .place = s->route[seeker].place,
-      .step = s->route[seeker].step};
+  s->seeker[seeker] =
+      (drawing_seeker){.start = qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[seeker]),
+                       .places = s->route[seeker].places,
+                       .place = s->route[seeker].place,
+                       .step = s->route[seeker].step};
   return walk(s, t, seeker, why);
 }
 
@@ -185,7 +185,8 @@ static int add_regions(sheet *s, const options *o, fault *why) {
   if (status != QTR_OK) return fault_set(why, "%s: its regions: %s", o->input, qtr_strerror(status));
   s->region = malloc(cells * sizeof *s->region);
   if (s->region == NULL || divided.count > UINT16_MAX)
-    return fault_set(why, "%s: too many regions for a picture: %" PRIu32 "; allow larger ones", o->input, divided.count);
+    return fault_set(why, "%s: too many regions for a picture: %" PRIu32 "; allow larger ones", o->input,
+                     divided.count);
   for (size_t cell = 0; cell < cells; cell++) s->region[cell] = (uint16_t)divided.of[cell];
   s->d.region = s->region;
   s->d.regions = divided.count;

@@ -12,22 +12,25 @@ static const char help[] =
     "quarter tune mission.yaml --budget-entries 200     with a Q-table of at most 200 entries\n"
     "quarter tune mission.yaml --learner paper --episodes 20000 --budget-entries 5000\n"
     "\n"
-    "Tries sizes, diameters, orders and likelihood weights of spots (and, in the paper setting, of regions), learns each,\n"
-    "and measures what its policy earns on the ground against the bound of the true problem, which the certified setting\n"
+    "Tries sizes, diameters, orders and likelihood weights of spots (and, in the paper setting, of regions), learns "
+    "each,\n"
+    "and measures what its policy earns on the ground against the bound of the true problem, which the certified "
+    "setting\n"
     "works out first. The best comes first; its options are printed as 'quarter learn' takes them.\n"
     "\n"
     "      --budget-entries N   leave out what needs more Q entries\n"
     "      --episodes N         games for each try (default 2000)\n"
-    "      --learner SETTING, --explore PLAN, --alpha A, --seed N, --robots K, --objective WHAT, --gamma G, --rule RULE,\n"
+    "      --learner SETTING, --explore PLAN, --alpha A, --seed N, --robots K, --objective WHAT, --gamma G, --rule "
+    "RULE,\n"
     "      --cell-size M, --skip-unreachable     as in 'quarter learn'\n"
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no progress, no report but JSON\n"
     "\n"
     "Exit status: 0 done; 2 bad input, or nothing that fits the budget.\n";
 
-static const option_set set = {"tune",
-                               " json quiet robots objective rule gamma cell-size skip-unreachable episodes seed learner"
-                               " explore alpha budget-entries "};
+static const option_set set = {
+    "tune", " json quiet robots objective rule gamma cell-size skip-unreachable episodes seed learner"
+            " explore alpha budget-entries "};
 
 #define TRIES_MOST 512
 #define DIAMETERS 6
@@ -210,23 +213,44 @@ static void write_options(FILE *out, const try *t) {
   if (t->spot_likelihood > 0.0) fprintf(out, " --spot-likelihood %g", t->spot_likelihood);
 }
 
-static bool is_none(const try *t) { return !t->by_regions && !t->by_spots; }
-static bool is_regions(const try *t) { return t->by_regions && !t->by_spots; }
-static bool is_spots(const try *t) { return !t->by_regions && t->by_spots; }
-static bool is_both(const try *t) { return t->by_regions && t->by_spots; }
-static bool is_nearest(const try *t) { return t->by_spots && t->spot_order == QTR_SPOT_NEAREST; }
-static bool is_best_order(const try *t) { return t->by_spots && t->spot_order == QTR_SPOT_BEST; }
-static bool is_blind(const try *t) { return t->by_spots && t->spot_likelihood == 0.0; }
-static bool is_likely(const try *t) { return t->by_spots && t->spot_likelihood > 0.0; }
+static bool is_none(const try *t) {
+  return !t->by_regions && !t->by_spots;
+}
+static bool is_regions(const try *t) {
+  return t->by_regions && !t->by_spots;
+}
+static bool is_spots(const try *t) {
+  return !t->by_regions && t->by_spots;
+}
+static bool is_both(const try *t) {
+  return t->by_regions && t->by_spots;
+}
+static bool is_nearest(const try *t) {
+  return t->by_spots && t->spot_order == QTR_SPOT_NEAREST;
+}
+static bool is_best_order(const try *t) {
+  return t->by_spots && t->spot_order == QTR_SPOT_BEST;
+}
+static bool is_blind(const try *t) {
+  return t->by_spots && t->spot_likelihood == 0.0;
+}
+static bool is_likely(const try *t) {
+  return t->by_spots && t->spot_likelihood > 0.0;
+}
 
 /* The best try of each kind: what an option buys, all others being free. */
 static void write_worth_of_options(FILE *out) {
   static const struct {
     const char *name;
     bool (*holds)(const try *t);
-  } kinds[] = {{"no aggregation", is_none},       {"regions alone", is_regions},   {"spots alone", is_spots},
-               {"both", is_both},                 {"spots, best order", is_best_order}, {"spots, nearest first", is_nearest},
-               {"spots by distance", is_blind}, {"spots by distance and likelihood", is_likely}};
+  } kinds[] = {{"no aggregation", is_none},
+               {"regions alone", is_regions},
+               {"spots alone", is_spots},
+               {"both", is_both},
+               {"spots, best order", is_best_order},
+               {"spots, nearest first", is_nearest},
+               {"spots by distance", is_blind},
+               {"spots by distance and likelihood", is_likely}};
   fprintf(out, "the best of each kind:\n");
   for (size_t kind = 0; kind < sizeof kinds / sizeof kinds[0]; kind++) {
     int best = 0;
@@ -245,8 +269,8 @@ static void write_text(FILE *out, const void *what) {
   fprintf(out, "      gap    objective   Q entries  targets  options\n");
   for (int i = 0; i < count && i < 10; i++) {
     const try *t = &tries[i];
-    fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap,
-            t->certificate.objective, t->entries, t->by_spots ? t->spots : tuned.p.game.board.places);
+    fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap, t->certificate.objective,
+            t->entries, t->by_spots ? t->spots : tuned.p.game.board.places);
     write_options(out, t);
     fputc('\n', out);
   }

@@ -31,7 +31,7 @@ typedef struct {
   const uint16_t *region;  /* of each cell, to draw the regions' borders; NULL: none */
   uint32_t regions;
   const qtr_cell *representative; /* of each region, to mark with a dot */
-  const uint16_t *spot;    /* of each place: those of a spot wear one colour and letter; NULL: none */
+  const uint16_t *spot;           /* of each place: those of a spot wear one colour and letter; NULL: none */
 } drawing;
 
 /* Write the picture: the same drawing gives the same bytes. Text may hold anything. 0, or -1 if there is no memory or

@@ -31,9 +31,9 @@ typedef struct {
   int kind[KINDS]; /* of each column */
   bool has[KINDS];
   text_field value[KINDS]; /* of the current row, by kind */
-  qtr_search search;  /* of the current game */
-  uint32_t finds;     /* in it */
-  game_name *game;    /* all games so far */
+  qtr_search search;       /* of the current game */
+  uint32_t finds;          /* in it */
+  game_name *game;         /* all games so far */
   size_t games, room;
 } reading;
 

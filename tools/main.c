@@ -17,18 +17,15 @@ static const char help[] =
     "\n"
     "'quarter COMMAND --help' tells more; 'quarter --version' the version.\n"
     "\n"
-    "Inputs: a drawing (.txt: # blocked, . free, ~ rough, S start, 1-9 a place of that weight), or a mission (.yaml) that\n"
+    "Inputs: a drawing (.txt: # blocked, . free, ~ rough, S start, 1-9 a place of that weight), or a mission (.yaml) "
+    "that\n"
     "names a drawing, a Moving AI .map or a ROS map, robots and places.\n";
 
 static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
-} commands[] = {{"learn", command_learn},
-                {"exact", command_exact},
-                {"simulate", command_simulate},
-                {"inspect", command_inspect},
-                {"draw", command_draw},
-                {"tune", command_tune},
+} commands[] = {{"learn", command_learn},     {"exact", command_exact}, {"simulate", command_simulate},
+                {"inspect", command_inspect}, {"draw", command_draw},   {"tune", command_tune},
                 {"belief", command_belief}};
 
 int main(int argc, char **argv) {

@@ -20,8 +20,8 @@ typedef struct {
 
 /* ---- numbers ---- */
 
-static int take_number(double *number, const char *name, const char *value, const char *range, double least, double most,
-                       fault *why) {
+static int take_number(double *number, const char *name, const char *value, const char *range, double least,
+                       double most, fault *why) {
   char *end;
   errno = 0;
   *number = strtod(value, &end);
@@ -47,8 +47,7 @@ static int take_int(int *number, const char *name, const char *value, int least,
   return 0;
 }
 
-static int take_word(int *number, const char *name, const char *value, const char *zero, const char *one,
-                     fault *why) {
+static int take_word(int *number, const char *name, const char *value, const char *zero, const char *one, fault *why) {
   if (strcmp(value, zero) != 0 && strcmp(value, one) != 0)
     return fault_set(why, "--%s %s: say %s or %s", name, value, zero, one);
   *number = strcmp(value, one) == 0;
@@ -152,7 +151,8 @@ static int take_explore(options *o, const char *name, const char *value, fault *
   const char *rates = value[length] == ':' ? value + length + 1 : NULL;
   int taken = 0;
   if (rates == NULL) return 0;
-  const int fields = sscanf(rates, "%lf%n:%lf%n:%lf%n", &plan->first, &taken, &plan->last, &taken, &plan->decay, &taken);
+  const int fields =
+      sscanf(rates, "%lf%n:%lf%n:%lf%n", &plan->first, &taken, &plan->last, &taken, &plan->decay, &taken);
   if (fields < 1 || rates[taken] != '\0')
     return fault_set(why, "--%s %s: say KIND:FIRST:LAST:DECAY, as softmax:1:0.01:0.9995", name, value);
   qtr_explorer explorer;
@@ -248,14 +248,16 @@ static int take_late(options *o, const char *name, const char *value, fault *why
   option_late *late = &o->late[o->lates];
   char seeker[32];
   const char *colon = strchr(value, ':');
-  if (colon == NULL || colon == value || (size_t)(colon - value) >= sizeof seeker || (colon[1] != '+' && colon[1] != 'x'))
+  if (colon == NULL || colon == value || (size_t)(colon - value) >= sizeof seeker ||
+      (colon[1] != '+' && colon[1] != 'x'))
     return fault_set(why, "--%s %s: say SEEKER:+STEPS or SEEKER:xFACTOR, as 1:+30 or 1:x2.5", name, value);
   snprintf(seeker, sizeof seeker, "%.*s", (int)(colon - value), value);
   late->wait = 0;
   late->factor = 1.0;
   if (take_int(&late->seeker, name, seeker, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
   o->lates++;
-  if (colon[1] == 'x') return take_number(&late->factor, name, colon + 2, "from 1 to 1000 after the x", 1.0, 1000.0, why);
+  if (colon[1] == 'x')
+    return take_number(&late->factor, name, colon + 2, "from 1 to 1000 after the x", 1.0, 1000.0, why);
   uint64_t wait;
   if (take_count(&wait, name, colon + 2, 0, 1000000000, why) != 0) return -1;
   late->wait = (uint32_t)wait;
@@ -451,7 +453,8 @@ static void set_defaults(options *o) {
 
 static int check_input(options *o, const option_set *set, int argc, char **argv, fault *why) {
   if (o->help) return 0;
-  if (optind == argc) return fault_set(why, "quarter %s: name an input; 'quarter %s --help' shows how", set->name, set->name);
+  if (optind == argc)
+    return fault_set(why, "quarter %s: name an input; 'quarter %s --help' shows how", set->name, set->name);
   if (optind + 1 < argc)
     return fault_set(why, "quarter %s: one input at a time, and '%s' is a second one", set->name, argv[optind + 1]);
   o->input = argv[optind];

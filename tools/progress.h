@@ -7,10 +7,10 @@
 #include "quarter/learner.h"
 
 typedef struct {
-  bool shown;        /* standard error is a terminal and nobody asked for quiet */
-  double time_limit; /* seconds; 0: none */
-  double gap;        /* at which the search ends */
-  double last;       /* seconds at which the line was last drawn */
+  bool shown;            /* standard error is a terminal and nobody asked for quiet */
+  double time_limit;     /* seconds; 0: none */
+  double gap;            /* at which the search ends */
+  double last;           /* seconds at which the line was last drawn */
   double mark, mark_gap; /* an earlier moment and its gap, from which the time left is reckoned */
   uint64_t mark_episodes;
 } progress;

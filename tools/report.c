@@ -94,9 +94,11 @@ static void write_verdict(FILE *out, const report *r) {
   else
     fprintf(out, "not certified: at most %.3g%% from the optimum when it ended (%s)", 100.0 * c->gap, r->ended);
   if (r->p->in.mission.objective == QTR_TIME)
-    fprintf(out, "; expected time %.6g steps, bound %.6g (discounted value %.6g)\n", c->expected_time, c->bound, c->value);
+    fprintf(out, "; expected time %.6g steps, bound %.6g (discounted value %.6g)\n", c->expected_time, c->bound,
+            c->value);
   else
-    fprintf(out, "; discounted value %.6g, bound %.6g (expected time %.6g steps)\n", c->value, c->bound, c->expected_time);
+    fprintf(out, "; discounted value %.6g, bound %.6g (expected time %.6g steps)\n", c->value, c->bound,
+            c->expected_time);
 }
 
 static void write_text(FILE *out, const void *what) {
@@ -114,8 +116,9 @@ static void write_text(FILE *out, const void *what) {
   if (r->o->output != NULL)
     fprintf(out, "wrote %s: %" PRIu32 " bytes, %" PRIu32 " states\n", r->o->output, r->table_bytes, r->table_records);
   if (r->anywhere && r->any.trials > 0)
-    fprintf(out, "for any start in %" PRIu32 " regions; from %d random starts it loses %.2g%% (median), %.2g%% (worst) "
-                 "against policies learnt for them alone\n",
+    fprintf(out,
+            "for any start in %" PRIu32 " regions; from %d random starts it loses %.2g%% (median), %.2g%% (worst) "
+            "against policies learnt for them alone\n",
             r->any.regions, r->any.trials, 100.0 * r->any.median_loss, 100.0 * r->any.worst_loss);
   if (r->o->c_output != NULL) fprintf(out, "wrote %s\n", r->o->c_output);
 }

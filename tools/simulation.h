@@ -19,13 +19,13 @@ typedef struct {
 typedef struct {
   int visits; /* first visits, in order of time */
   simulation_visit visit[QTR_MAX_PLACES];
-  int duplicates; /* visits to places that had been visited before */
-  qtr_steps end;        /* when the last robot stopped */
-  qtr_steps found_step; /* QTR_NEVER: no target, or not found */
-  uint32_t off_table;   /* choices made off the table, over all robots */
+  int duplicates;                       /* visits to places that had been visited before */
+  qtr_steps end;                        /* when the last robot stopped */
+  qtr_steps found_step;                 /* QTR_NEVER: no target, or not found */
+  uint32_t off_table;                   /* choices made off the table, over all robots */
   uint32_t found_signals, done_signals; /* that were sent */
-  double value;         /* discounted, of the first visits */
-  double expected_time; /* steps; NAN if a place was left unvisited */
+  double value;                         /* discounted, of the first visits */
+  double expected_time;                 /* steps; NAN if a place was left unvisited */
 } simulation;
 
 /* Play a game out: robots late or lost, and the target, as the options say. 0, or -1 with *why set: an option that does

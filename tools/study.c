@@ -12,8 +12,9 @@ int study_divide(study *s, const options *o, fault *why) {
 /* Times between regions are no bounds. */
 static int check_setting(const options *o, fault *why) {
   if (!o->by_regions || o->setting == QTR_SETTING_PAPER) return 0;
-  return fault_set(why, "--aggregate: regions go with --learner paper alone, for times between regions are no bounds; the "
-                        "certified setting takes spots");
+  return fault_set(why,
+                   "--aggregate: regions go with --learner paper alone, for times between regions are no bounds; the "
+                   "certified setting takes spots");
 }
 
 /* On the ground an aggregate's policy is played by the free rule, whatever the rule that it was learnt by. */

@@ -16,7 +16,7 @@
 #include "rng.h"
 
 #define LATEST (INT64_MAX / 2) /* microseconds: moments up to here can be subtracted from one another */
-#define QUEUE 1000 /* messages that a subscription holds: LCM's own 30 are too few for a burst */
+#define QUEUE 1000             /* messages that a subscription holds: LCM's own 30 are too few for a burst */
 #define LONGEST 65536u /* bytes of a message; LCM's count is far beyond if a packet ends within the channel's name */
 
 /* One subscription: whose messages go where. */
@@ -53,8 +53,10 @@ int bus_open(bus **b, const char *url, fault *why) {
   if ((*b)->lcm != NULL) return 0;
   free(*b);
   *b = NULL;
-  return fault_set(why, "%s: this bus cannot be opened; a udpm bus on one machine needs multicast on the loopback: "
-                        "'ip link set lo multicast on' and 'ip route add 224.0.0.0/4 dev lo'", address(url));
+  return fault_set(why,
+                   "%s: this bus cannot be opened; a udpm bus on one machine needs multicast on the loopback: "
+                   "'ip link set lo multicast on' and 'ip route add 224.0.0.0/4 dev lo'",
+                   address(url));
 }
 
 void bus_close(bus *b) {
@@ -173,7 +175,8 @@ static bool take_pose(const listener *l, const lcm_recv_buf_t *packet) {
 static bool take_scan(const listener *l, const lcm_recv_buf_t *packet) {
   quarter_scan wire;
   message_scan m;
-  if (quarter_scan_decode(packet->data, 0, (int)packet->data_size, &wire) < 0 || !sound_robot(l, wire.robot)) return false;
+  if (quarter_scan_decode(packet->data, 0, (int)packet->data_size, &wire) < 0 || !sound_robot(l, wire.robot))
+    return false;
   for (int ray = 0; ray < MESSAGE_RAYS; ray++)
     if (!isfinite(wire.range[ray]) || wire.range[ray] < 0.0f) return false;
   m = (message_scan){.utime = wire.utime, .robot = wire.robot, .read = wire.read != 0, .mine = wire.mine != 0};
@@ -206,7 +209,8 @@ static bool take_status(const listener *l, const lcm_recv_buf_t *packet) {
   if (quarter_status_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
   if (wire.robots < 0 || wire.robots > MESSAGE_MOST_ROBOTS || wire.places < 0 || wire.places > MESSAGE_MOST_PLACES)
     return false;
-  m = (message_status){.utime = wire.utime, .robots = wire.robots, .places = wire.places, .mines_found = wire.mines_found};
+  m = (message_status){
+      .utime = wire.utime, .robots = wire.robots, .places = wire.places, .mines_found = wire.mines_found};
   memcpy(m.state, wire.state, sizeof m.state);
   memcpy(m.scanned_by, wire.scanned_by, sizeof m.scanned_by);
   memcpy(m.found, wire.found, sizeof m.found);

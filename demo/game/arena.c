@@ -6,14 +6,14 @@
 #include "quarter/seeker.h"
 #include "rng.h"
 
-#define STEPS 3             /* of the world in a tick */
+#define STEPS 3 /* of the world in a tick */
 #define STATUS_TICKS 4
-#define WATCHDOG 500000     /* microseconds without a command after which wheels stand */
-#define STILL 0.5           /* seconds of standing orders after which a robot counts as stopped */
-#define LINGER 1.0          /* seconds for which the game goes on after the last one stopped */
-#define MOVED 0.3           /* cells that count as making way */
-#define DEADLOCK 20.0       /* seconds without, on good ground */
-#define SILENCE 10.0        /* seconds without a command after which a robot counts as lost: its program has ended */
+#define WATCHDOG 500000 /* microseconds without a command after which wheels stand */
+#define STILL 0.5       /* seconds of standing orders after which a robot counts as stopped */
+#define LINGER 1.0      /* seconds for which the game goes on after the last one stopped */
+#define MOVED 0.3       /* cells that count as making way */
+#define DEADLOCK 20.0   /* seconds without, on good ground */
+#define SILENCE 10.0    /* seconds without a command after which a robot counts as lost: its program has ended */
 
 static int64_t utime_of(const arena *a) {
   return (int64_t)llround(1e6 * a->now);
@@ -139,7 +139,8 @@ static void publish_robot(arena *a, int robot) {
 }
 
 static void publish_status(const arena *a) {
-  message_status m = {.utime = utime_of(a), .robots = a->robots, .places = a->places, .mines_found = a->found_at >= 0.0};
+  message_status m = {
+      .utime = utime_of(a), .robots = a->robots, .places = a->places, .mines_found = a->found_at >= 0.0};
   for (int i = 0; i < a->robots; i++) m.state[i] = (int8_t)(a->robot[i].state);
   for (int place = 0; place < a->places; place++) {
     m.scanned_by[place] = a->scanned_by[place];
@@ -157,7 +158,9 @@ void arena_publish(arena *a) {
 /* ---- faults ---- */
 
 static void strike(arena *a, const fault_event *f, int robot) {
-  static const int kinds[] = {[FAULT_LOST] = EVENT_LOST, [FAULT_STUCK] = EVENT_STUCK, [FAULT_UNSTUCK] = EVENT_UNSTUCK,
+  static const int kinds[] = {[FAULT_LOST] = EVENT_LOST,
+                              [FAULT_STUCK] = EVENT_STUCK,
+                              [FAULT_UNSTUCK] = EVENT_UNSTUCK,
                               [FAULT_SLIP] = EVENT_SLIP};
   arena_robot *r = &a->robot[robot];
   if (r->state == STATE_LOST) return;

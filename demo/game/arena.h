@@ -10,12 +10,22 @@
 
 #define ARENA_TICK 0.05 /* seconds between messages: three steps of the world */
 
-enum arena_kind { EVENT_SCANNED, EVENT_FOUND, EVENT_DONE, EVENT_STOPPED, EVENT_LOST, EVENT_STUCK, EVENT_UNSTUCK,
-                  EVENT_SLIP, EVENT_LOSS, EVENT_DEADLOCK };
+enum arena_kind {
+  EVENT_SCANNED,
+  EVENT_FOUND,
+  EVENT_DONE,
+  EVENT_STOPPED,
+  EVENT_LOST,
+  EVENT_STUCK,
+  EVENT_UNSTUCK,
+  EVENT_SLIP,
+  EVENT_LOSS,
+  EVENT_DEADLOCK
+};
 
 typedef struct {
-  double at; /* seconds */
-  int kind;  /* enum arena_kind */
+  double at;                   /* seconds */
+  int kind;                    /* enum arena_kind */
   int robot, place, territory; /* -1: none */
   double share;
 } arena_event;
@@ -33,13 +43,13 @@ typedef struct {
 /* Of one robot. */
 typedef struct {
   enum message_state state;
-  bool heard;        /* a command came */
-  bool read;         /* and asks for its mine sensor to be read */
-  int64_t commanded; /* utime of the last one */
-  bool still;        /* it is told to stand */
+  bool heard;                     /* a command came */
+  bool read;                      /* and asks for its mine sensor to be read */
+  int64_t commanded;              /* utime of the last one */
+  bool still;                     /* it is told to stand */
   double still_since, stopped_at; /* seconds; stopped_at below 0: it drives */
-  point anchor;      /* where it was when it last made way */
-  double anchored;   /* seconds: when that was */
+  point anchor;                   /* where it was when it last made way */
+  double anchored;                /* seconds: when that was */
   bool deadlocked;
   qtr_places scanned;
 } arena_robot;
@@ -59,7 +69,7 @@ typedef struct {
   int8_t scanned_by[QTR_MAX_PLACES]; /* -1: nobody yet */
   double scanned_at[QTR_MAX_PLACES];
   bool done[WORLD_MOST_ROBOTS]; /* territories announced */
-  double found_at; /* seconds; below 0: not yet */
+  double found_at;              /* seconds; below 0: not yet */
   int duplicates, deadlocks;
   uint64_t commands, signals; /* heard */
   int events;

@@ -48,7 +48,8 @@ static int read_stuck(fault_script *script, tree *yaml, tree_node *item, double 
   return add(script, yaml, item, (fault_event){at + seconds, FAULT_UNSTUCK, robot, 0.0});
 }
 
-static int read_share(fault_script *script, tree *yaml, tree_node *item, double at, const char *key, int kind, int robot) {
+static int read_share(fault_script *script, tree *yaml, tree_node *item, double at, const char *key, int kind,
+                      int robot) {
   double share;
   if (read_number(yaml, item, key, 0.0, 0.95, 0.0, &share) != 0) return -1;
   return add(script, yaml, item, (fault_event){at, kind, robot, share});

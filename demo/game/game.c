@@ -26,7 +26,8 @@ double game_plan_seconds(const table *t) {
   qtr_steps last = 0;
   table_routes(t, routes);
   for (int i = 0; i < t->policy.board.seekers; i++)
-    if (routes[i].places > 0 && routes[i].step[routes[i].places - 1] > last) last = routes[i].step[routes[i].places - 1];
+    if (routes[i].places > 0 && routes[i].step[routes[i].places - 1] > last)
+      last = routes[i].step[routes[i].places - 1];
   return last * game_step_seconds();
 }
 
@@ -45,8 +46,7 @@ static void make_crew(game *g, const game_setup *setup) {
   for (int i = 0; i < robots; i++)
     baseline_init(&g->baseline[i], &setup->t->policy, i, setup->strategy == STRATEGY_INFORMED ? g->baseline : NULL);
   for (int i = 0; i < robots; i++) {
-    robot_init(&g->crew[i], &setup->t->policy, i, setup->arena.clear_all, make_pilot(g, setup, i),
-               wiring_voice(g->b));
+    robot_init(&g->crew[i], &setup->t->policy, i, setup->arena.clear_all, make_pilot(g, setup, i), wiring_voice(g->b));
     wiring_listen(g->b, &g->crew[i]);
   }
 }

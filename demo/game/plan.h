@@ -7,12 +7,12 @@
 
 typedef struct {
   table t;
-  char name[128];                       /* of the mission */
+  char name[128]; /* of the mission */
   double likelihood[QTR_MAX_PLACES];
   table_route routes[QTR_MAX_SEEKERS];
-  int territory[QTR_MAX_PLACES];        /* seeker whose route holds the place; -1: nobody's */
-  qtr_steps step[QTR_MAX_PLACES];       /* of the planned visit; QTR_NEVER: none */
-  double expected_step;                 /* of the find */
+  int territory[QTR_MAX_PLACES];  /* seeker whose route holds the place; -1: nobody's */
+  qtr_steps step[QTR_MAX_PLACES]; /* of the planned visit; QTR_NEVER: none */
+  double expected_step;           /* of the find */
 } plan;
 
 /* Learn the mission's plan, for at most `seconds`, or read it from `table_path` (NULL: learn), which must be a table of this

@@ -187,9 +187,10 @@ static void describe(char text[120], const arena_event *e) {
 
 static void write_event(json *j, const arena_event *e) {
   static const char *const kinds[] = {
-      [EVENT_SCANNED] = "scanned", [EVENT_FOUND] = "found",     [EVENT_DONE] = "territory_done", [EVENT_STOPPED] = "stopped",
-      [EVENT_LOST] = "lost",       [EVENT_STUCK] = "stuck",     [EVENT_UNSTUCK] = "unstuck",     [EVENT_SLIP] = "slip",
-      [EVENT_LOSS] = "loss",       [EVENT_DEADLOCK] = "deadlock"};
+      [EVENT_SCANNED] = "scanned",  [EVENT_FOUND] = "found", [EVENT_DONE] = "territory_done",
+      [EVENT_STOPPED] = "stopped",  [EVENT_LOST] = "lost",   [EVENT_STUCK] = "stuck",
+      [EVENT_UNSTUCK] = "unstuck",  [EVENT_SLIP] = "slip",   [EVENT_LOSS] = "loss",
+      [EVENT_DEADLOCK] = "deadlock"};
   char text[120];
   describe(text, e);
   json_flat_object(j, NULL);

@@ -11,7 +11,7 @@
 #define RECORD_TICK 0.1 /* seconds between samples */
 
 typedef struct {
-  int32_t x, y; /* hundredths of a cell, y down from the top */
+  int32_t x, y;    /* hundredths of a cell, y down from the top */
   int16_t heading; /* hundredths of a radian */
 } record_sample;
 

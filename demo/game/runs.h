@@ -15,11 +15,11 @@ typedef struct {
   double mean, planned_mean;    /* seconds; planned: of the same mines */
   double expected;              /* seconds: the plan's expected time to find */
   uint64_t scanned, duplicates, collisions, deadlocks;
-  double simulated, wall;       /* seconds in all */
+  double simulated, wall; /* seconds in all */
   uint64_t sent[KINDS];
-  uint64_t *visits;             /* of each place */
-  int odd;                      /* games to look into: not found, or with a deadlock */
-  uint64_t odd_seed[RUNS_ODD];  /* the first of them */
+  uint64_t *visits;            /* of each place */
+  int odd;                     /* games to look into: not found, or with a deadlock */
+  uint64_t odd_seed[RUNS_ODD]; /* the first of them */
 } runs_figures;
 
 /* One robot lost at a moment of the plan's time, both drawn by the seed: a fault for the script. */

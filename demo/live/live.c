@@ -18,8 +18,8 @@ struct live {
   pthread_mutex_t lock;
   pthread_cond_t changed;
   char *hello;
-  char *frame;   /* {"t":..,"robots":..  without its end: the events differ from viewer to viewer */
-  char **event;  /* one text an event */
+  char *frame;  /* {"t":..,"robots":..  without its end: the events differ from viewer to viewer */
+  char **event; /* one text an event */
   int events;
   uint64_t version;
   char *end;
@@ -128,7 +128,8 @@ static int start_server(live *view, int port, fault *why) {
   const char *options[] = {"listening_ports", listen, "num_threads", "8", "enable_directory_listing", "no", NULL};
   view->server = mg_start(NULL, NULL, options);
   if (view->server == NULL || mg_get_server_ports(view->server, 1, ports) != 1)
-    return fault_set(why, "--port %d: it cannot be served there; another program may have it: give another, or 0", port);
+    return fault_set(why, "--port %d: it cannot be served there; another program may have it: give another, or 0",
+                     port);
   mg_set_request_handler(view->server, "/events$", serve_events, view);
   mg_set_request_handler(view->server, "/$", serve_page, view);
   fprintf(stderr, "Watch it at http://127.0.0.1:%d/\n", ports[0].port);

@@ -4,12 +4,12 @@
 #include <stdbool.h>
 
 #define PI 3.14159265358979323846
-#define MARGIN 0.03   /* cells of air on either side of the body */
-#define AHEAD 0.25    /* cells beyond a cell's side that are aimed for */
-#define LOOK 0.6      /* cells that should be free ahead */
-#define TURN 5.0      /* radians a second for each radian off the way */
+#define MARGIN 0.03 /* cells of air on either side of the body */
+#define AHEAD 0.25  /* cells beyond a cell's side that are aimed for */
+#define LOOK 0.6    /* cells that should be free ahead */
+#define TURN 5.0    /* radians a second for each radian off the way */
 #define FASTEST_TURN 6.0
-#define CREEP 0.12    /* of the speed, where it is tight: who stands still never gets out of anybody's way */
+#define CREEP 0.12 /* of the speed, where it is tight: who stands still never gets out of anybody's way */
 
 /* ---- where to ---- */
 

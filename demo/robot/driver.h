@@ -10,8 +10,8 @@
 #include "ground.h"
 #include "quarter/travel.h"
 
-#define DRIVER_SPEED 1.0  /* cells a second where the ground is good */
-#define DRIVER_LANE 0.2   /* cells that a robot keeps to the right of a cell's middle */
+#define DRIVER_SPEED 1.0 /* cells a second where the ground is good */
+#define DRIVER_LANE 0.2  /* cells that a robot keeps to the right of a cell's middle */
 #define DRIVER_RADIUS 0.12
 #define DRIVER_AXLE 0.2
 

@@ -6,8 +6,8 @@
 
 #include "driver.h"
 
-#define NEAR 0.16      /* cells from a place's middle at which the mine sensor is read */
-#define IN_RANGE 0.33  /* cells at which it is read where something stands on the place */
+#define NEAR 0.16         /* cells from a place's middle at which the mine sensor is read */
+#define IN_RANGE 0.33     /* cells at which it is read where something stands on the place */
 #define MADE_WAY 0.5      /* cells */
 #define PATIENCE 2500000  /* microseconds without making way after which it tries the other side */
 #define KEEP_LEFT 3000000 /* microseconds for which it does at least */
@@ -107,7 +107,8 @@ static double nearest_towards(const robot *r, const message_scan *m, point goal)
   const int ray = (int)lround(turn * MESSAGE_RAYS);
   double nearest = EYE_RANGE;
   for (int beside = -1; beside <= 1; beside++) {
-    const double range = (double)m->range[((ray + beside) % MESSAGE_RAYS + MESSAGE_RAYS) % MESSAGE_RAYS] / r->g.cell_size;
+    const double range =
+        (double)m->range[((ray + beside) % MESSAGE_RAYS + MESSAGE_RAYS) % MESSAGE_RAYS] / r->g.cell_size;
     if (range < nearest) nearest = range;
   }
   return nearest;

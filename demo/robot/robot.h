@@ -13,7 +13,7 @@
 /* Where a robot goes next. The plan's pilot is the policy table's; there are others to compare it with. */
 typedef struct {
   void *self;
-  uint16_t (*target)(void *self);            /* place; QTR_STAND_DOWN: nothing left to do */
+  uint16_t (*target)(void *self);              /* place; QTR_STAND_DOWN: nothing left to do */
   void (*visited)(void *self, uint16_t place); /* it was there and found nothing */
   void (*hear)(void *self, int signal, unsigned territory);
   bool (*announce)(void *self, uint8_t *territory); /* a territory that it has finished */

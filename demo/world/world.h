@@ -14,12 +14,13 @@
 #include "quarter/policy.h"
 
 #define WORLD_MOST_ROBOTS 16
-#define WORLD_STEP (1.0 / 60.0)  /* seconds */
-#define WORLD_ROBOT_RADIUS 0.12  /* cells */
-#define WORLD_AXLE 0.2           /* cells between the wheels */
-#define WORLD_MINE_RANGE 0.36    /* cells from a robot's middle at which its sensor sees a mine: past another robot's body */
-#define WORLD_EYE_RANGE 1.5      /* cells that its rays reach */
-#define WORLD_WHEEL_NOISE 0.05   /* standard deviation of a wheel's speed, relative */
+#define WORLD_STEP (1.0 / 60.0) /* seconds */
+#define WORLD_ROBOT_RADIUS 0.12 /* cells */
+#define WORLD_AXLE 0.2          /* cells between the wheels */
+#define WORLD_MINE_RANGE                                                                                               \
+  0.36                      /* cells from a robot's middle at which its sensor sees a mine: past another robot's body */
+#define WORLD_EYE_RANGE 1.5 /* cells that its rays reach */
+#define WORLD_WHEEL_NOISE 0.05 /* standard deviation of a wheel's speed, relative */
 
 typedef struct world world;
 

@@ -37,18 +37,18 @@ typedef struct {
 /* Large: keep it in static storage. */
 typedef struct {
   const qtr_environment *environment;
-  const qtr_game *game; /* the environment's */
-  double upper;                   /* the bound on the whole game under `price` */
-  double price[QTR_MAX_PLACES];   /* the best so far, in force */
-  double trial[QTR_MAX_PLACES];   /* being tried */
-  double scale;                   /* of the subgradient steps */
+  const qtr_game *game;         /* the environment's */
+  double upper;                 /* the bound on the whole game under `price` */
+  double price[QTR_MAX_PLACES]; /* the best so far, in force */
+  double trial[QTR_MAX_PLACES]; /* being tried */
+  double scale;                 /* of the subgradient steps */
   uint32_t steps_without_gain;
   uint32_t iterations;
-  uint32_t slots;     /* in use */
-  qtr_steps slot_steps; /* steps a slot */
-  qtr_steps travel[QTR_MAX_NODES * QTR_MAX_PLACES]; /* to places, as in the game, unpacked */
+  uint32_t slots;                                        /* in use */
+  qtr_steps slot_steps;                                  /* steps a slot */
+  qtr_steps travel[QTR_MAX_NODES * QTR_MAX_PLACES];      /* to places, as in the game, unpacked */
   uint32_t slots_apart[QTR_MAX_PLACES * QTR_MAX_PLACES]; /* from a tour's first place to the next target's: in slots */
-  double late[QTR_MAX_PLACES]; /* gains past the last slot */
+  double late[QTR_MAX_PLACES];                           /* gains past the last slot */
   qtr_gain gain[QTR_BOUND_SLOTS * QTR_MAX_PLACES];
 } qtr_bound;
 

@@ -127,7 +127,7 @@ typedef uint16_t qtr_cell;
 #else
 typedef uint32_t qtr_cell;
 #endif
-#define QTR_NO_CELL ((qtr_cell)-1)
+#define QTR_NO_CELL ((qtr_cell) - 1)
 
 /* A region's number, 0 and up. */
 #if QTR_MAX_REGIONS <= 65535
@@ -135,7 +135,7 @@ typedef uint16_t qtr_region;
 #else
 typedef uint32_t qtr_region;
 #endif
-#define QTR_NO_REGION ((qtr_region)-1)
+#define QTR_NO_REGION ((qtr_region) - 1)
 
 /* A duration or a moment, in steps of the grid. */
 typedef uint32_t qtr_steps;

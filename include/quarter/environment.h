@@ -22,7 +22,8 @@
 /* Where the travel times of a seeker seen in a region are taken from. */
 enum qtr_region_times {
   QTR_TIMES_STANDING = 0, /* the region's representative: alike for all of the region (section 5.2.3) */
-  QTR_TIMES_TRUE = 1 /* the seeker's own cell: the section's first solution, whose Q may go to and fro. To show just that */
+  QTR_TIMES_TRUE =
+      1 /* the seeker's own cell: the section's first solution, whose Q may go to and fro. To show just that */
 };
 
 typedef struct {
@@ -46,14 +47,14 @@ typedef struct {
 typedef struct {
   const qtr_game *game;
   const qtr_regions *regions;
-  bool estimating; /* times are the representatives' */
+  bool estimating;     /* times are the representatives' */
   qtr_board board;     /* the joint game over the targets */
   qtr_board key_board; /* as it is seen in keys */
   uint16_t targets;
-  qtr_tour tour[QTR_MAX_PLACES];                    /* by the first place visited */
-  uint16_t first[QTR_MAX_NODES * QTR_MAX_PLACES];   /* of the target's places, from a node: a row of targets a node */
+  qtr_tour tour[QTR_MAX_PLACES];                  /* by the first place visited */
+  uint16_t first[QTR_MAX_NODES * QTR_MAX_PLACES]; /* of the target's places, from a node: a row of targets a node */
   qtr_spots spots;
-  uint8_t reach[4 * QTR_MAX_NODES * QTR_MAX_PLACES]; /* the board's travel times: the longest between targets */
+  uint8_t reach[4 * QTR_MAX_NODES * QTR_MAX_PLACES];    /* the board's travel times: the longest between targets */
   qtr_steps estimate[QTR_MAX_REGIONS * QTR_MAX_PLACES]; /* from a region's representative to each place */
   uint8_t way[(size_t)QTR_MAX_PLACES * ((QTR_MAX_CELLS + 3) / 4)]; /* to each place, the direction from each cell */
   qtr_spots spots_scratch;
@@ -62,12 +63,12 @@ typedef struct {
 
 /* A moment. */
 typedef struct {
-  qtr_joint joint;  /* over the targets */
-  qtr_steps now;    /* since the start */
-  double unvisited; /* probability of the places left */
-  uint16_t at[QTR_MAX_SEEKERS];      /* idle: the node where it is; on its way: the first place of its tour */
-  uint8_t stage[QTR_MAX_SEEKERS];    /* with regions: how many places of its tour it has passed */
-  qtr_cell cell[QTR_MAX_SEEKERS];    /* with regions: where it truly is */
+  qtr_joint joint;                    /* over the targets */
+  qtr_steps now;                      /* since the start */
+  double unvisited;                   /* probability of the places left */
+  uint16_t at[QTR_MAX_SEEKERS];       /* idle: the node where it is; on its way: the first place of its tour */
+  uint8_t stage[QTR_MAX_SEEKERS];     /* with regions: how many places of its tour it has passed */
+  qtr_cell cell[QTR_MAX_SEEKERS];     /* with regions: where it truly is */
   qtr_steps carried[QTR_MAX_SEEKERS]; /* with regions: steps spent on entering the next cell */
 } qtr_situation;
 

@@ -14,10 +14,10 @@ enum qtr_exploration {
 
 /* The rate in episode n is max(last, first * decay^n). */
 typedef struct {
-  uint8_t kind;  /* enum qtr_exploration */
-  double first;  /* epsilon: 0..1; softmax: a temperature in units of Q, above 0 */
-  double last;   /* 0 or more; softmax: above 0 */
-  double decay;  /* 0..1; 1: the rate stays */
+  uint8_t kind; /* enum qtr_exploration */
+  double first; /* epsilon: 0..1; softmax: a temperature in units of Q, above 0 */
+  double last;  /* 0 or more; softmax: above 0 */
+  double decay; /* 0..1; 1: the rate stays */
 } qtr_exploration_plan;
 
 /* Epsilon-greedy, 0.3 throughout: every choice is tried infinitely often, so Q converges. */

@@ -9,11 +9,11 @@
 /* What a table is made of; all pointers are the caller's. */
 typedef struct {
   const qtr_mission *mission;
-  const qtr_board *board;      /* over the places, its starts those of `start` */
-  const double *probability;   /* of each place */
-  const qtr_cell *start;       /* cells of the board's starts */
-  const uint16_t *region;      /* of each cell, a start of the board: the table is for any start; NULL: it is not */
-  const uint8_t *records;      /* qtr_record_bytes() each, sorted by key, each key once */
+  const qtr_board *board;    /* over the places, its starts those of `start` */
+  const double *probability; /* of each place */
+  const qtr_cell *start;     /* cells of the board's starts */
+  const uint16_t *region;    /* of each cell, a start of the board: the table is for any start; NULL: it is not */
+  const uint8_t *records;    /* qtr_record_bytes() each, sorted by key, each key once */
   uint32_t record_count;
   const qtr_certificate *certificate; /* of the mission's own starts */
   uint64_t seed;

@@ -28,12 +28,12 @@ enum qtr_rule {
 
 /* What does not change during a game: the board it is played on. Fill the first part, then call qtr_board_init(). */
 typedef struct {
-  uint16_t places;                   /* 1..QTR_MAX_PLACES */
+  uint16_t places;                    /* 1..QTR_MAX_PLACES */
   uint16_t starts;                    /* places that a seeker may start from, 1..QTR_MAX_STARTS */
   uint8_t seekers;                    /* 1..QTR_MAX_SEEKERS */
   uint8_t rule;                       /* enum qtr_rule */
   uint16_t start_of[QTR_MAX_SEEKERS]; /* each seeker's start, 0..starts-1: its node is places + start_of[i] */
-  const uint8_t *steps;              /* travel times, 4 bytes little-endian each, a row of `places` for every node,
+  const uint8_t *steps;               /* travel times, 4 bytes little-endian each, a row of `places` for every node,
                                         QTR_NEVER for no way; must outlive the board */
   /* set by qtr_board_init() */
   qtr_steps longest; /* the greatest finite travel time */

@@ -35,9 +35,9 @@ typedef struct {
   double gap;    /* relative, 0 or more: stop when bound and objective differ by no more than gap * |objective|. Smaller
                     takes longer; below 1e-6 the floats of the Q-table may keep it from closing (QTR_CONVERGED). The paper
                     setting, with 0, goes on learning whatever is proven. */
-  uint64_t seed;      /* of the random choices: how the local search shakes, how the paper setting explores */
-  uint8_t setting;    /* enum qtr_setting */
-  double alpha;       /* paper setting: learning rate, above 0 up to 1; 1 is right where the model is deterministic */
+  uint64_t seed; /* of the random choices: how the local search shakes, how the paper setting explores */
+  uint8_t setting; /* enum qtr_setting */
+  double alpha;    /* paper setting: learning rate, above 0 up to 1; 1 is right where the model is deterministic */
   qtr_exploration_plan exploration; /* paper setting */
 } qtr_learner_config;
 
@@ -47,23 +47,23 @@ void qtr_learner_config_default(qtr_learner_config *config);
 enum qtr_learning {
   QTR_LEARNING = 0,  /* the gap is open and further steps can close it */
   QTR_CERTIFIED = 1, /* the gap is closed */
-  QTR_CONVERGED = 2  /* nothing more can be learnt: Q is at its fixed point (on an aggregate: it has the best policy that
+  QTR_CONVERGED = 2 /* nothing more can be learnt: Q is at its fixed point (on an aggregate: it has the best policy that
                         the aggregate allows, and what a gap is left is the aggregate's), or the table is full */
 };
 
 /* The state of knowledge after a step. */
 typedef struct {
-  double value;          /* of the best game played: discounted */
-  double expected_time;  /* of the same game, steps */
-  double objective;      /* whichever of the two the mission asks for */
-  double bound;          /* no policy does better than this in the mission's objective */
-  double gap;            /* |objective - bound| / |objective| */
-  bool certified;        /* gap is within the config's */
-  uint64_t episodes;     /* games played, those given up early included */
-  uint64_t updates;      /* of Q entries that changed them */
-  double max_q;          /* largest Q of the first state, in units of reward (MaxQ of Fig. 4.5); certified: its least
+  double value;         /* of the best game played: discounted */
+  double expected_time; /* of the same game, steps */
+  double objective;     /* whichever of the two the mission asks for */
+  double bound;         /* no policy does better than this in the mission's objective */
+  double gap;           /* |objective - bound| / |objective| */
+  bool certified;       /* gap is within the config's */
+  uint64_t episodes;    /* games played, those given up early included */
+  uint64_t updates;     /* of Q entries that changed them */
+  double max_q;         /* largest Q of the first state, in units of reward (MaxQ of Fig. 4.5); certified: its least
                             so far, a bound on every policy of what is learnt on */
-  uint32_t price_steps;  /* subgradient steps of the bound */
+  uint32_t price_steps; /* subgradient steps of the bound */
 } qtr_certificate;
 
 /* The choices of a state, each with its Q and the entry that it is stored under. */
@@ -95,10 +95,10 @@ typedef struct {
   const qtr_environment *environment; /* what is learnt on: the ground, or an aggregate of it */
   qtr_learner_config config;
   qtr_play best;
-  double upper;        /* certified: the largest Q of the first state; paper: the prices' bound */
-  double ground_upper; /* the bound on the game itself, from its prices */
-  double max_q; /* paper: the largest Q of the first state after the last episode */
-  bool pricing; /* the bound is still being tuned */
+  double upper;          /* certified: the largest Q of the first state; paper: the prices' bound */
+  double ground_upper;   /* the bound on the game itself, from its prices */
+  double max_q;          /* paper: the largest Q of the first state after the last episode */
+  bool pricing;          /* the bound is still being tuned */
   bool aggregate_priced; /* the ground's prices are done with, and the aggregate's in force */
   uint64_t episodes, updates;
   qtr_play play;

@@ -305,7 +305,8 @@ static qtr_steps soonest(const qtr_bound *bound, const qtr_situation *after, uns
     if (joint->node[i] == QTR_STAND_DOWN) continue;
     const unsigned node = qtr_environment_exit(bound->environment, after, i);
     const qtr_steps way = node == place ? 0 : travel_from(bound, node)[place];
-    if (way != QTR_NEVER && after->now + joint->remaining[i] + way < least) least = after->now + joint->remaining[i] + way;
+    if (way != QTR_NEVER && after->now + joint->remaining[i] + way < least)
+      least = after->now + joint->remaining[i] + way;
   }
   return least;
 }

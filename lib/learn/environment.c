@@ -49,10 +49,9 @@ static bool plan_tour(qtr_environment *e, unsigned node, uint16_t target, uint8_
   const uint16_t *place = e->spots.place[target];
   const unsigned count = e->spots.size[target];
   qtr_spot_tour planned;
-  const bool found = order == QTR_SPOT_NEAREST
-                         ? qtr_spot_tour_nearest(&planned, &ground, node, place, count)
-                         : qtr_spot_tour_best(&planned, &ground, node, place, count, QTR_SPOT_ANY_EXIT, 0.0,
-                                              &e->tour_scratch);
+  const bool found = order == QTR_SPOT_NEAREST ? qtr_spot_tour_nearest(&planned, &ground, node, place, count)
+                                               : qtr_spot_tour_best(&planned, &ground, node, place, count,
+                                                                    QTR_SPOT_ANY_EXIT, 0.0, &e->tour_scratch);
   if (!found) return false;
   qtr_tour *tour = &e->tour[planned.place[0]];
   tour->target = target;
@@ -261,9 +260,7 @@ double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int se
   const bool done = qtr_joint_choose(&s->joint, &e->board, seeker, choice);
   s->at[seeker] = first;
   s->stage[seeker] = 0;
-  if (!done)
-    s->joint.remaining[seeker] =
-        e->estimating ? estimate_left(e, s->cell[seeker], &e->tour[first], 0) : exact;
+  if (!done) s->joint.remaining[seeker] = e->estimating ? estimate_left(e, s->cell[seeker], &e->tour[first], 0) : exact;
   /* With regions a spot counts when it is done. */
   if (!here || (e->regions != NULL && !done)) return 0.0;
   s->unvisited -= e->game->probability[first];
@@ -277,8 +274,7 @@ static void collect(const qtr_environment *e, qtr_situation *s, qtr_outcome *out
   if (e->game->mission->objective == QTR_TIME)
     outcome->reward += probability * (double)(passed - offset);
   else
-    outcome->reward +=
-        outcome->discount * qtr_game_power(e->game, offset - 1) * QTR_REWARD_SCALE * probability;
+    outcome->reward += outcome->discount * qtr_game_power(e->game, offset - 1) * QTR_REWARD_SCALE * probability;
 }
 
 /* Exact times: each place counts when it is visited. `before` is what remained to the seeker. */
@@ -294,8 +290,7 @@ static void collect_tour(const qtr_environment *e, qtr_situation *s, qtr_outcome
 
 static double target_probability(const qtr_environment *e, unsigned target) {
   double probability = 0.0;
-  for (unsigned i = 0; i < e->spots.size[target]; i++)
-    probability += e->game->probability[e->spots.place[target][i]];
+  for (unsigned i = 0; i < e->spots.size[target]; i++) probability += e->game->probability[e->spots.place[target][i]];
   return probability;
 }
 

@@ -75,8 +75,7 @@ static unsigned pick_softmax(qtr_explorer *explorer, const double *q, unsigned c
 
 unsigned qtr_explorer_pick(qtr_explorer *explorer, const double *q, unsigned count) {
   switch (explorer->plan.kind) {
-  case QTR_EXPLORE_EPSILON:
-    return draw(explorer) < explorer->rate ? draw_below(explorer, count) : largest(q, count);
+  case QTR_EXPLORE_EPSILON: return draw(explorer) < explorer->rate ? draw_below(explorer, count) : largest(q, count);
   case QTR_EXPLORE_SOFTMAX: return pick_softmax(explorer, q, count);
   default: return draw_below(explorer, count);
   }

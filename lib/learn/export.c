@@ -201,9 +201,9 @@ static qtr_table_content content_of(const qtr_learner *learner, qtr_cell *start,
   const qtr_game *game = learner->game;
   for (unsigned i = 0; i < game->board.starts; i++) start[i] = game->mission->start[game->first_at[i]];
   qtr_learner_certificate(learner, certificate);
-  const qtr_table_content content = {game->mission,    &game->board,          game->probability,
-                                     start,            NULL,                  learner->records,
-                                     learner->best.choices, certificate,      learner->config.seed};
+  const qtr_table_content content = {
+      game->mission,         &game->board, game->probability,   start, NULL, learner->records,
+      learner->best.choices, certificate,  learner->config.seed};
   return content;
 }
 

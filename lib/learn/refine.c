@@ -5,7 +5,7 @@
 
 #define SEGMENT_MOST 3 /* places that are moved together */
 #define WORTHLESS (-1e300)
-#define SHAKES_MOST 3  /* random moves in a round */
+#define SHAKES_MOST 3 /* random moves in a round */
 
 double qtr_route_worth(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length) {
   unsigned node = (unsigned)game->board.places + game->board.start_of[seeker];
@@ -117,8 +117,8 @@ static bool search_reversals(qtr_refinery *r, qtr_routes *routes, const qtr_game
   return false;
 }
 
-static bool search_exchanges_of(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned from,
-                                unsigned count, unsigned second) {
+static bool search_exchanges_of(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first,
+                                unsigned from, unsigned count, unsigned second) {
   for (unsigned at = 0; at <= routes->length[second]; at++)
     for (unsigned other = 0; other <= 1 && at + other <= routes->length[second]; other++)
       if (try_exchange(r, routes, game, first, from, count, second, at, other)) return true;

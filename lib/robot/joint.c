@@ -33,7 +33,8 @@ static uint32_t node_base(const qtr_board *board) {
   return (uint32_t)board->places + board->starts + 1;
 }
 
-static unsigned append_seeker(qtr_key *key, unsigned words, const qtr_board *board, uint32_t node, qtr_steps remaining) {
+static unsigned append_seeker(qtr_key *key, unsigned words, const qtr_board *board, uint32_t node,
+                              qtr_steps remaining) {
   const uint32_t base = node_base(board);
   words = append_digit(key, words, node < base ? node : base - 1, base);
   return append_digit(key, words, remaining, board->longest + 1);

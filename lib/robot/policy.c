@@ -50,7 +50,8 @@ static int read_dimensions(qtr_policy *policy) {
 
 static int check_words(const uint8_t *bytes) {
   const bool known = bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER && bytes[QTR_POLICY_OBJECTIVE] <= 1 &&
-                     bytes[QTR_POLICY_CERTIFIED] <= 1 && bytes[QTR_POLICY_ANY_START] <= 1 && bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES;
+                     bytes[QTR_POLICY_CERTIFIED] <= 1 && bytes[QTR_POLICY_ANY_START] <= 1 &&
+                     bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES;
   return known ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
@@ -62,8 +63,8 @@ static int find_sections(qtr_policy *policy, uint32_t size) {
   const uint64_t travel = 4u * (uint64_t)nodes * board->places;
   const uint64_t seats = (board->seekers + 1u) / 2u * 4u;
   const uint64_t regions = policy->bytes[QTR_POLICY_ANY_START] != 0 ? 2u * (uint64_t)cells : 0;
-  const uint64_t fixed = QTR_POLICY_HEADER_BYTES + seats + 4u * (uint64_t)nodes + 4u * (uint64_t)board->places + travel +
-                         qtr_grid_size(cells, policy->grid.encoding) + regions;
+  const uint64_t fixed = QTR_POLICY_HEADER_BYTES + seats + 4u * (uint64_t)nodes + 4u * (uint64_t)board->places +
+                         travel + qtr_grid_size(cells, policy->grid.encoding) + regions;
   if (fixed > size) return QTR_ERR_CORRUPT;
   const uint8_t *at = policy->bytes + QTR_POLICY_HEADER_BYTES;
   for (unsigned i = 0; i < board->seekers; i++) board->start_of[i] = (uint16_t)load16_le(at + 2 * i);

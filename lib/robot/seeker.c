@@ -45,8 +45,7 @@ static void finish_territory(qtr_seeker *seeker) {
 
 static void next_target(qtr_seeker *seeker) {
   for (;;) {
-    seeker->target =
-        qtr_policy_play(seeker->policy, &seeker->joint, seeker->territory, NULL, &seeker->off_table);
+    seeker->target = qtr_policy_play(seeker->policy, &seeker->joint, seeker->territory, NULL, &seeker->off_table);
     if (seeker->target == QTR_STAND_DOWN) {
       finish_territory(seeker);
       if (!next_territory(seeker)) return;

@@ -104,7 +104,8 @@ static void bench_random(int side, int places, int seekers, int maps, double lim
       const unsigned bytes = qtr_qtable_entry_bytes(&learner.table);
       entry_bytes = bytes > entry_bytes ? bytes : entry_bytes;
     }
-    printf("%2dx%2d, %2d places, %d seekers, %-10s  %3d/%d certified  median %.4f s, %.0f episodes, gap %.1e; %u bytes an entry%s\n",
+    printf("%2dx%2d, %2d places, %d seekers, %-10s  %3d/%d certified  median %.4f s, %.0f episodes, gap %.1e; %u bytes "
+           "an entry%s\n",
            side, side, places, seekers, objective == QTR_TIME ? "time" : "discounted", certified, maps,
            median(seconds, maps), median(episodes, maps), median(gap, maps), entry_bytes, target);
   }
@@ -147,7 +148,8 @@ static void bench_reference(void) {
     agreeing += agrees(found_value, value) && agrees(found_time, time);
   }
   if (values != NULL) fclose(values);
-  printf("reference cases, both objectives: %d of %d certified and equal within 1e-5, %.2f s together (target: 15 of 15, under 10 s)\n",
+  printf("reference cases, both objectives: %d of %d certified and equal within 1e-5, %.2f s together (target: 15 of "
+         "15, under 10 s)\n",
          agreeing, cases, seconds);
 }
 

@@ -51,8 +51,7 @@ static inline void play_prepare_drawn(const char *rows, int robots) {
 }
 
 static inline game_setup play_setup(uint64_t seed) {
-  return (game_setup){.t = &play_plan.t,
-                      .arena = {seed, false, -1, NULL, 8 * game_plan_seconds(&play_plan.t) + 120}};
+  return (game_setup){.t = &play_plan.t, .arena = {seed, false, -1, NULL, 8 * game_plan_seconds(&play_plan.t) + 120}};
 }
 
 static inline int play_keep(void *user, const arena *a, const game_result *result, fault *why) {
@@ -69,8 +68,8 @@ static inline void play(game_setup setup) {
   const int status = game_play(&setup, &play_result, NULL, &play_why);
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, status, play_why.text);
   const size_t length = strlen(case_note);
-  snprintf(case_note + length, sizeof case_note - length, "; mine %d, found %.2f, stopped %.2f of %.2f s", play_result.mine,
-           play_result.found_at, play_result.all_stopped_at, play_result.duration);
+  snprintf(case_note + length, sizeof case_note - length, "; mine %d, found %.2f, stopped %.2f of %.2f s",
+           play_result.mine, play_result.found_at, play_result.all_stopped_at, play_result.duration);
 }
 
 static inline int play_territories_done(void) {

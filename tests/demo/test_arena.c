@@ -74,7 +74,8 @@ static void test_with_signals_lost_all_hear_of_the_find_by_and_by(void) {
     game_setup setup = play_setup(seed);
     setup.arena.faults = &loss;
     play(setup);
-    TEST_ASSERT_TRUE_MESSAGE(play_result.found_at >= 0.0 && play_result.all_stopped_at >= play_result.found_at, case_note);
+    TEST_ASSERT_TRUE_MESSAGE(play_result.found_at >= 0.0 && play_result.all_stopped_at >= play_result.found_at,
+                             case_note);
     TEST_ASSERT_GREATER_THAN_MESSAGE(0, play_result.counts.lost, case_note);
   }
 }

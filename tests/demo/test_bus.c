@@ -86,8 +86,10 @@ static void send_pose_and_command(test_random *random, int robot) {
 }
 
 static void send_scan(test_random *random, int robot) {
-  message_scan m = {.utime = (int64_t)(random_bits(random) >> 2), .robot = robot,
-                    .read = random_chance(random, 50), .mine = random_chance(random, 50)};
+  message_scan m = {.utime = (int64_t)(random_bits(random) >> 2),
+                    .robot = robot,
+                    .read = random_chance(random, 50),
+                    .mine = random_chance(random, 50)};
   for (int ray = 0; ray < MESSAGE_RAYS; ray++) m.range[ray] = (float)random_unit(random);
   bus_send_scan(b, &m);
   TEST_ASSERT_EQUAL_INT_MESSAGE(1, bus_drain(b), case_note);
@@ -206,8 +208,8 @@ static void test_without_losses_nothing_is_lost(void) {
 /* ---- the log ---- */
 
 static void test_the_log_holds_every_message_in_order_at_the_worlds_times(void) {
-  static const char *const channels[] = {"QUARTER_R3_POSE", "QUARTER_R3_SCAN", "QUARTER_R3_COMMAND", "QUARTER_TERMINATE",
-                                         "QUARTER_STATUS"};
+  static const char *const channels[] = {"QUARTER_R3_POSE", "QUARTER_R3_SCAN", "QUARTER_R3_COMMAND",
+                                         "QUARTER_TERMINATE", "QUARTER_STATUS"};
   log_event e;
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, bus_record(b, "all.lcm", &why), why.text);
   for (int64_t i = 0; i < 100; i++) {

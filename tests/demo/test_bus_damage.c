@@ -9,8 +9,8 @@
 
 enum { ME = 2, LENGTH_MOST = 400 };
 
-static const char *const channels[KINDS] = {"QUARTER_R2_POSE", "QUARTER_R2_SCAN", "QUARTER_R2_COMMAND", "QUARTER_TERMINATE",
-                                            "QUARTER_STATUS"};
+static const char *const channels[KINDS] = {"QUARTER_R2_POSE", "QUARTER_R2_SCAN", "QUARTER_R2_COMMAND",
+                                            "QUARTER_TERMINATE", "QUARTER_STATUS"};
 static log_event sound[KINDS]; /* a true message of each kind */
 static FILE *out;
 static uint64_t written;
@@ -208,7 +208,8 @@ static void test_numbers_that_are_none_are_ignored(void) {
   for (int i = 0; i < 4; i++) {
     for (int field = 0; field < 3; field++) put_changed(KIND_POSE, NUMBERS + 8 * field, bits_of(none[i]), 8);
     for (int field = 0; field < 2; field++) put_changed(KIND_COMMAND, NUMBERS + 8 * field, bits_of(none[i]), 8);
-    for (int ray = 0; ray < MESSAGE_RAYS; ray++) put_changed(KIND_SCAN, scan_range(ray), float_bits_of((float)none[i]), 4);
+    for (int ray = 0; ray < MESSAGE_RAYS; ray++)
+      put_changed(KIND_SCAN, scan_range(ray), float_bits_of((float)none[i]), 4);
   }
   put_changed(KIND_SCAN, scan_range(0), float_bits_of(-0.5f), 4);
   TEST_ASSERT_EQUAL_INT(0, play());
@@ -229,7 +230,8 @@ static void test_robots_and_places_out_of_range_are_ignored(void) {
   static const int32_t none[] = {-1, MESSAGE_MOST_ROBOTS, MESSAGE_MOST_ROBOTS + 1, INT32_MIN, INT32_MAX};
   for (int i = 0; i < 5; i++)
     for (int kind = KIND_POSE; kind <= KIND_TERMINATE; kind++) put_changed(kind, ROBOT, (uint32_t)none[i], 4);
-  for (int kind = KIND_POSE; kind <= KIND_COMMAND; kind++) put_changed(kind, ROBOT, ME + 1, 4); /* another's, on my channel */
+  for (int kind = KIND_POSE; kind <= KIND_COMMAND; kind++)
+    put_changed(kind, ROBOT, ME + 1, 4); /* another's, on my channel */
   put_changed(KIND_STATUS, ROBOT, MESSAGE_MOST_ROBOTS + 1, 4);
   put_changed(KIND_STATUS, ROBOT, UINT32_MAX, 4);
   put_changed(KIND_STATUS, STATUS_PLACES, MESSAGE_MOST_PLACES + 1, 4);

@@ -138,7 +138,8 @@ static void test_it_turns_towards_the_aim(void) {
   const driver_wheels right = steer(0.0, (point){1.0, -0.5});
   TEST_ASSERT_TRUE(left.right > left.left);
   TEST_ASSERT_TRUE(right.left > right.right);
-  const driver_wheels over_the_seam = steer(PI - 0.1, (point){-1.0, -0.1}); /* a little to the left, past the half turn */
+  const driver_wheels over_the_seam =
+      steer(PI - 0.1, (point){-1.0, -0.1}); /* a little to the left, past the half turn */
   TEST_ASSERT_TRUE(over_the_seam.right > over_the_seam.left);
   TEST_ASSERT_TRUE(over_the_seam.left > 0.0);
 }

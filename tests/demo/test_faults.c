@@ -35,11 +35,12 @@ static void assert_event(int i, double at, int kind, int robot, double share) {
 }
 
 static void test_every_fault_is_read(void) {
-  TEST_ASSERT_EQUAL_INT_MESSAGE(0, read_script("faults:\n"
-                                               "  - {at: 20, lost: 1}\n"
-                                               "  - {at: 15, stuck: 0, for: 10}\n"
-                                               "  - {at: 1, slip: 0.3, robot: 2}\n"
-                                               "  - {at: 2.5, loss: 0.25}\n"),
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0,
+                                read_script("faults:\n"
+                                            "  - {at: 20, lost: 1}\n"
+                                            "  - {at: 15, stuck: 0, for: 10}\n"
+                                            "  - {at: 1, slip: 0.3, robot: 2}\n"
+                                            "  - {at: 2.5, loss: 0.25}\n"),
                                 why.text);
   TEST_ASSERT_EQUAL_INT(5, script.count);
   assert_event(0, 1.0, FAULT_SLIP, 2, 0.3);
@@ -135,7 +136,8 @@ static void test_events_come_in_the_order_of_their_times_and_equal_ones_as_they_
     TEST_ASSERT_EQUAL_INT(-1, faults_add(&script, (fault_event){0, FAULT_LOST, 0, 0.0}));
     for (int i = 1; i < FAULTS_MOST; i++) {
       const fault_event *before = &script.event[i - 1], *after = &script.event[i];
-      TEST_ASSERT_TRUE_MESSAGE(before->at < after->at || (before->at == after->at && before->robot < after->robot), case_note);
+      TEST_ASSERT_TRUE_MESSAGE(before->at < after->at || (before->at == after->at && before->robot < after->robot),
+                               case_note);
     }
   }
 }

@@ -93,7 +93,8 @@ static void clear_all(const char *mission) {
   play(setup);
   TEST_ASSERT_EQUAL_INT_MESSAGE(play_arena.places, play_result.scanned, case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(play_arena.robots, play_territories_done(), case_note);
-  TEST_ASSERT_TRUE_MESSAGE(play_result.found_at >= 0.0 && play_result.all_stopped_at >= play_result.found_at, case_note);
+  TEST_ASSERT_TRUE_MESSAGE(play_result.found_at >= 0.0 && play_result.all_stopped_at >= play_result.found_at,
+                           case_note);
   assert_orderly();
 }
 

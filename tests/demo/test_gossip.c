@@ -96,7 +96,8 @@ static void test_any_set_of_signals_is_said_whole_and_each_once(void) {
     memset(&g, 0, sizeof g);
     for (unsigned left = random_below(&random, 30); left > 0; left--) {
       const int territory = (int)random_below(&random, GOSSIP_MOST);
-      TEST_ASSERT_EQUAL_INT_MESSAGE(!known[territory], gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, territory), case_note);
+      TEST_ASSERT_EQUAL_INT_MESSAGE(!known[territory], gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, territory),
+                                    case_note);
       known[territory] = true;
     }
     listen((int64_t)(random_bits(&random) >> 8));
@@ -104,7 +105,8 @@ static void test_any_set_of_signals_is_said_whole_and_each_once(void) {
       TEST_ASSERT_TRUE_MESSAGE(known[said[i].territory], case_note);
       known[said[i].territory] = false;
     }
-    for (int territory = 0; territory < GOSSIP_MOST; territory++) TEST_ASSERT_FALSE_MESSAGE(known[territory], case_note);
+    for (int territory = 0; territory < GOSSIP_MOST; territory++)
+      TEST_ASSERT_FALSE_MESSAGE(known[territory], case_note);
   }
 }
 

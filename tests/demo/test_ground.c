@@ -47,10 +47,11 @@ static void test_every_point_of_a_cell_is_in_that_cell(void) {
 }
 
 static void test_beyond_the_edges_is_no_cell(void) {
-  static const point off[] = {{-1e-9, 1}, {1, -1e-9}, {4, 1}, {1, 3}, {1e300, 1}, {1, -1e300}, {NAN, 1}, {1, NAN},
-                              {INFINITY, 1}, {1, -INFINITY}};
+  static const point off[] = {{-1e-9, 1},  {1, -1e-9}, {4, 1},   {1, 3},        {1e300, 1},
+                              {1, -1e300}, {NAN, 1},   {1, NAN}, {INFINITY, 1}, {1, -INFINITY}};
   const ground g = ground_sized(4, 3);
-  for (unsigned i = 0; i < sizeof off / sizeof off[0]; i++) TEST_ASSERT_EQUAL_UINT(QTR_NO_CELL, ground_cell(&g, off[i]));
+  for (unsigned i = 0; i < sizeof off / sizeof off[0]; i++)
+    TEST_ASSERT_EQUAL_UINT(QTR_NO_CELL, ground_cell(&g, off[i]));
 }
 
 /* The core reckons the same in whole micrometres. */

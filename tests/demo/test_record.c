@@ -96,9 +96,9 @@ static bool is_json(const char *text) {
 
 static void test_the_checker_tells_json_from_what_is_none(void) {
   static const char *const good[] = {"{}", "[1, -2.5e+3, 0]", "{\"a\": [true, null, \"\\u00e9\\/\"]}", " 0.1 "};
-  static const char *const bad[] = {"",        "{",        "[1,]",     "[1 2]",       "{\"a\" 1}", "{a: 1}", "01", "1.",
-                                    "nan",     "-",        "\"\\x\"",  "\"\n\"",      "{} {}",     "[inf]",  "+1", ".5",
-                                    "\"\\u12\"", "{\"a\":}", "[\"open]", "{\"a\": 1,}"};
+  static const char *const bad[] = {"",   "{",   "[1,]",      "[1 2]",    "{\"a\" 1}", "{a: 1}",     "01",
+                                    "1.", "nan", "-",         "\"\\x\"",  "\"\n\"",    "{} {}",      "[inf]",
+                                    "+1", ".5",  "\"\\u12\"", "{\"a\":}", "[\"open]",  "{\"a\": 1,}"};
   for (unsigned i = 0; i < sizeof good / sizeof good[0]; i++) TEST_ASSERT_TRUE_MESSAGE(is_json(good[i]), good[i]);
   for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) TEST_ASSERT_FALSE_MESSAGE(is_json(bad[i]), bad[i]);
 }
@@ -134,8 +134,9 @@ static double track_number(const char *key) {
 }
 
 static void test_the_record_is_json_whatever_happened(void) {
-  const fault_script faults = {4, {{0.0, FAULT_LOSS, -1, 0.5}, {1.0, FAULT_SLIP, -1, 0.5}, {2.0, FAULT_STUCK, 1, 0.0},
-                                   {3.0, FAULT_LOST, 0, 0.0}}};
+  const fault_script faults = {
+      4,
+      {{0.0, FAULT_LOSS, -1, 0.5}, {1.0, FAULT_SLIP, -1, 0.5}, {2.0, FAULT_STUCK, 1, 0.0}, {3.0, FAULT_LOST, 0, 0.0}}};
   play_prepare_drawn("1...S...2/.#~..###./3.......4", 3);
   for (int mine = -2; mine < 4; mine++) {
     game_setup setup = play_setup(5);
@@ -235,9 +236,9 @@ static void prepare_named(const char *name) {
 }
 
 static void test_no_name_breaks_out_of_the_page(void) {
-  static const char *const names[] = {"Plain", "</script><script>alert(1)</script>", "</SCRIPT >",
-                                      "<!-- <script>", "a \"b\" \\c",
-                                      "\xC3\xA4 \xF0\x9F\x8E\x89"};
+  static const char *const names[] = {"Plain",       "</script><script>alert(1)</script>",
+                                      "</SCRIPT >",  "<!-- <script>",
+                                      "a \"b\" \\c", "\xC3\xA4 \xF0\x9F\x8E\x89"};
   for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++) {
     prepare_named(names[i]);
     record_game(play_setup(5), "page.html");

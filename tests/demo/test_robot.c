@@ -330,7 +330,8 @@ static void assert_said_well(int64_t utime) {
   }
   for (int i = 0; i < signals; i++) {
     TEST_ASSERT_EQUAL_INT_MESSAGE(r.self, signal[i].sender, case_note);
-    TEST_ASSERT_TRUE_MESSAGE(signal[i].signal == QTR_SIGNAL_FOUND || signal[i].signal == QTR_SIGNAL_TERRITORY_DONE, case_note);
+    TEST_ASSERT_TRUE_MESSAGE(signal[i].signal == QTR_SIGNAL_FOUND || signal[i].signal == QTR_SIGNAL_TERRITORY_DONE,
+                             case_note);
     TEST_ASSERT_TRUE_MESSAGE(signal[i].territory >= 0 && signal[i].territory < GOSSIP_MOST, case_note);
     TEST_ASSERT_TRUE_MESSAGE(signal[i].utime == utime, case_note);
   }

@@ -25,7 +25,8 @@ static int parse(const char *line) {
   char *words[WORDS_MOST + 1] = {self};
   int count = 1;
   snprintf(text, sizeof texts[0], "%s", line);
-  for (char *word = strtok(text, " "); word != NULL && count < WORDS_MOST; word = strtok(NULL, " ")) words[count++] = word;
+  for (char *word = strtok(text, " "); word != NULL && count < WORDS_MOST; word = strtok(NULL, " "))
+    words[count++] = word;
   return settings_parse(&s, count, words, &why);
 }
 
@@ -47,8 +48,9 @@ static void test_a_mission_alone_has_the_documented_defaults(void) {
 }
 
 static void test_every_option_is_taken(void) {
-  TEST_ASSERT_EQUAL_INT(0, parse("-o a.html --table b --save-table c --log d --faults e --lcm-url f --json=g -q --clear-all "
-                                 "--robots 3 --mine 4 --seed 18446744073709551615 --speed 2.5 --learn-limit 0.5 m.yaml"));
+  TEST_ASSERT_EQUAL_INT(
+      0, parse("-o a.html --table b --save-table c --log d --faults e --lcm-url f --json=g -q --clear-all "
+               "--robots 3 --mine 4 --seed 18446744073709551615 --speed 2.5 --learn-limit 0.5 m.yaml"));
   TEST_ASSERT_EQUAL_STRING("a.html", s.replay);
   TEST_ASSERT_EQUAL_STRING("b", s.table);
   TEST_ASSERT_EQUAL_STRING("c", s.save);
@@ -129,7 +131,8 @@ static void test_what_is_no_number_is_refused(void) {
 
 static void test_an_empty_value_is_refused(void) {
   static const char *const options[] = {"--robots=", "--runs=", "--seed=", "--speed=", "--mine=", "--strategy="};
-  for (unsigned i = 0; i < sizeof options / sizeof options[0]; i++) refuse(options[i], options[i][2] == 's' ? "--s" : "--");
+  for (unsigned i = 0; i < sizeof options / sizeof options[0]; i++)
+    refuse(options[i], options[i][2] == 's' ? "--s" : "--");
 }
 
 static void test_unknown_words_are_refused_by_name(void) {

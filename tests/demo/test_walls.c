@@ -49,7 +49,8 @@ static void test_every_blocked_cell_lies_in_one_wall_and_no_free_one_does(void) 
     const unsigned percent = random_below(&random, 101);
     const uint8_t encoding = number % 2 == 0 ? QTR_GRID_BYTES : QTR_GRID_BITS;
     grid = (qtr_grid){(uint16_t)random_in(&random, 1, SIDE), (uint16_t)random_in(&random, 1, SIDE), encoding, cells};
-    for (unsigned i = 0; i < sizeof cells; i++) cells[i] = random_chance(&random, percent) ? 0 : (uint8_t)random_bits(&random);
+    for (unsigned i = 0; i < sizeof cells; i++)
+      cells[i] = random_chance(&random, percent) ? 0 : (uint8_t)random_bits(&random);
     memset(covered, 0, sizeof covered);
     build();
     for (int i = 0; i < count; i++) cover(&walls[i]);

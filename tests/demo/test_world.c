@@ -79,7 +79,8 @@ static void play_1000_steps(uint64_t seed, world_pose end[3]) {
   use("S....~~../.#..#..~1/..S..S..#", seed);
   world_slip(w, 1, 0.3);
   for (int i = 0; i < 1000; i++) {
-    for (int robot = 0; robot < 3; robot++) world_drive(w, robot, 0.9 - 0.3 * robot, 0.5 + 0.2 * robot - (i % 200 < 20));
+    for (int robot = 0; robot < 3; robot++)
+      world_drive(w, robot, 0.9 - 0.3 * robot, 0.5 + 0.2 * robot - (i % 200 < 20));
     world_step(w);
   }
   for (int robot = 0; robot < 3; robot++) end[robot] = world_pose_of(w, robot);

@@ -2,14 +2,14 @@
 #ifndef QUARTER_TESTS_TABLES_H
 #define QUARTER_TESTS_TABLES_H
 
+#include "missions.h"
 #include "quarter/export.h"
 #include "quarter/learner.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
+#include "random.h"
 #include "robot/bytes.h"
 #include "robot/crc.h"
-#include "missions.h"
-#include "random.h"
 #include "unity.h"
 
 enum { TABLE_MOST = 64 * 1024 };
@@ -28,7 +28,8 @@ static inline void table_learn(unsigned steps) {
   qtr_learner_config_default(&config);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&table_mission, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&table_game, &table_mission, &table_field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&table_ground, &table_game, NULL, &table_field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&table_ground, &table_game, NULL, &table_field),
+                                case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&table_learner, &table_ground, NULL, &config), case_note);
   while (steps > 0 && qtr_learner_step(&table_learner) == QTR_LEARNING) steps--;
 }
