@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# test_run.sh RUN BUILD: the functions of `run`, sourced; BUILD is a build tree with the demo. Works in the current folder.
+set -euo pipefail
+here=$PWD
+run=$1 tree=$2
+. "$run"
+
+faults=0
+# expect WHAT FOUND WANTED
+expect() {
+  [ "$2" != "$3" ] || return 0
+  printf '%s: found "%s", wanted "%s"\n' "$1" "$2" "$3"
+  faults=$((faults + 1))
+}
+
+# The library is named first in a list that fills any pipe: who stops reading there leaves the writer to die.
+test_a_library_that_is_there_is_found_every_time() {
+  local missing=0 _
+  { printf '\tlibglib-2.0.so.0 (libc6,x86-64) => /lib/libglib-2.0.so.0\n' && printf '\tlib%s.so\n' {1..20000}; } >libraries
+  ldconfig() { cat libraries; }
+  for _ in {1..300}; do has_library libglib-2.0.so.0 || missing=$((missing + 1)); done
+  has_library libglib-3.0.so.0 && missing=absent
+  unset -f ldconfig
+  expect "times of 300 that a library was missed" "$missing" 0
+}
+
+# Under a compiler that compiles nothing, all headers are missing.
+test_a_command_asks_for_what_it_needs_and_no_more() {
+  local found CC=false root=$here/empty
+  mkdir -p "$root/cmake" "$root/tools/bridge" && touch "$root"/{cmake,tools/bridge}/requirements{,-demo,-charts,-format,-mcap}.txt
+  have() { return 1; }
+  have_pip() { return 1; }
+  has_library() { return 1; }
+  packages() { command=$1 && parts_of "$1" && missing_packages | paste -sd ' '; }
+  local host="cmake gcc libc6-dev libyaml-dev ninja-build"
+  expect "packages of quarter" "$(packages quarter)" "$host"
+  expect "packages of bench" "$(packages bench)" "$host"
+  expect "packages of paper" "$(packages paper)" "$host python3 python3-pip"
+  found="cmake gcc libc6-dev libcivetweb-dev libglib2.0-0 libyaml-dev ninja-build python3 python3-pip"
+  expect "packages of demo" "$(packages demo)" "$found"
+  expect "packages of games" "$(packages games)" "$found"
+  expect "packages of losses" "$(packages losses)" "$found"
+  expect "packages of test" "$(packages test)" "$found"
+  expect "tools of demo" "$(command=demo missing_tools)" ""
+  expect "tools of test" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
+    "$(printf '%s ' chromium chromium-driver iproute2 nftables spin | sed 's/ $//')"
+}
+
+test_without_root_one_line_to_paste_names_all() {
+  local missing=(cmake libyaml-dev) tools=(spin) said
+  find_root() { return 1; }
+  said=$(install_missing 2>&1)
+  expect "lines to paste" "$(grep -c 'apt-get install' <<<"$said")" 1
+  expect "the line" "$(grep 'apt-get install' <<<"$said")" \
+    "As root: apt-get update && apt-get install -y --no-install-recommends cmake libyaml-dev spin"
+}
+
+# The set-up of a test goes on without its tools, but not without what it is built with.
+test_tools_that_cannot_be_installed_do_not_stop_a_test() {
+  local missing=() tools=(spin)
+  find_root() { return 0; }
+  install_packages() { return 1; }
+  install_missing 2>said.txt || expect "a tool" missing "gone on without"
+  expect "said of a tool" "$(cat said.txt)" "Going on: the tests that need them are skipped."
+  missing=(cmake)
+  install_missing 2>said.txt && expect "a package" "gone on without" refused
+  return 0
+}
+
+test_what_is_followed_is_logged_and_keeps_its_status() {
+  local log=$here/follow.log status=0
+  : >"$log"
+  follow bash -c 'printf "one\ntwo\n"; echo three >&2; exit 7' 2>said.txt || status=$?
+  expect "status" "$status" 7
+  expect "log" "$(sort "$log" | paste -sd ' ')" "one three two"
+}
+
+test_what_was_skipped_is_shown_with_its_reason() {
+  local build=$here/log
+  mkdir -p "$build/Testing/Temporary"
+  printf '%s\n' '1/2 Testing: viewer' '1/2 Test: viewer' 'Command: "x"' 'SKIPPED: no browser' '2/2 Test: tool' \
+    't.c:7:test_a:IGNORE: not as root' 'fine' >"$build/Testing/Temporary/LastTest.log"
+  expect "skipped" "$(skipped_tests)" "  viewer: no browser
+  tool: not as root"
+}
+
+test_the_demo_takes_paths_from_the_users_folder() {
+  local build=$tree status=0
+  build() { :; }
+  mkdir -p "user's folder"
+  cp "$(dirname "$run")/demo/missions/minefield/map.txt" "user's folder/own map.txt"
+  (cd "user's folder" && main demo "own map.txt" --robots 2 --seed 1 --quiet -o "own page.html") >said.txt 2>&1 || status=$?
+  [ "$status" = 0 ] || cat said.txt
+  expect "status of the demo" "$status" 0
+  expect "the page" "$(ls "user's folder")" "own map.txt
+own page.html"
+}
+
+for name in $(compgen -A function test_); do
+  rm -rf "${here:?}"/*
+  (faults=0 && "$name" && [ "$faults" = 0 ]) || { printf 'FAIL %s\n' "$name" && faults=$((faults + 1)); }
+done
+[ "$faults" = 0 ] && printf 'all hold\n'
