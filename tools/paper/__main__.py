@@ -6,6 +6,7 @@ import re
 import sys
 import tempfile
 import time
+from datetime import date
 from pathlib import Path
 from string import Template
 
@@ -67,21 +68,23 @@ def make_report(data):
     facts["enough"] = data["belief"]["enough"]
     facts["enough_single"] = tables.number(data["belief"]["settled"])
     facts["uniform_excess"] = tables.percent(data["belief"]["excess"][0]["median"])
-    return Template((HERE / "report.md").read_text()).substitute(facts)
+    return Template((HERE / "report.md").read_text(encoding="utf-8")).substitute(facts)
 
 
-def compare(path, text, faults):
+def compare(path, text, passing, faults):
+    name = path.relative_to(ROOT)
     if not path.exists():
-        faults.append(f"{path.relative_to(ROOT)}: missing")
-    elif path.read_text() != text:
-        faults.append(f"{path.relative_to(ROOT)}: not what is made now")
+        faults.append(f"{name}: missing")
+    elif path.read_text(encoding="utf-8") != text:
+        faults.append(f"{name}: not what is made now")
+    faults += [f"{name}: holds '{word}', which is another on another day or machine" for word in passing if word in text]
 
 
 def main(words):
     asked, chosen = parse(words)
     folder = ROOT / "docs" / "paper"
     known = folder / "data.json"
-    written = json.loads(known.read_text()) if known.exists() else {}
+    written = json.loads(known.read_text(encoding="utf-8")) if known.exists() else {}
     with tempfile.TemporaryDirectory() as scratch:
         found, pictures = run(Lab(asked.tool, ROOT, scratch), chosen)
     data = {e.__name__: found.get(e.__name__, written.get(e.__name__)) for e in EXPERIMENTS}
@@ -94,15 +97,15 @@ def main(words):
     if not asked.check:
         folder.mkdir(exist_ok=True)
         for path, text in files.items():
-            path.write_text(text)
+            path.write_text(text, encoding="utf-8")
         print(f"wrote docs/paper.md and {len(files) - 1} files in docs/paper/")
         return 0
     faults = []
     for path, text in files.items():
-        compare(path, text, faults)
+        compare(path, text, [date.today().isoformat(), charts.pygal.__version__, str(ROOT), scratch], faults)
     for fault in faults:
         print(fault)
-    print(f"{len(files) - len(faults)} files as written, {len(faults)} not; experiments run: {len(chosen)}")
+    print(f"{len(files)} files, {len(faults)} faults; experiments run: {len(chosen)}")
     return 1 if faults else 0
 
 

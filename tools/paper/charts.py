@@ -1,9 +1,15 @@
-"""The report's charts, by pygal: SVG text that is the same for the same data."""
+"""The report's charts, by pygal: SVG text that is the same for the same data, on every day and every machine."""
 
 import math
+import os
+from xml.etree import ElementTree
 
-import pygal
-from pygal.style import Style
+os.environ["NO_LXML"] = "1"  # pygal takes lxml where it finds it, which lays attributes out in another way
+
+import pygal  # noqa: E402
+from pygal.style import Style  # noqa: E402
+
+SVG = "http://www.w3.org/2000/svg"
 
 STYLE = Style(
     background="#ffffff", plot_background="#ffffff", foreground="#1f2a36", foreground_strong="#1f2a36",
@@ -30,6 +36,16 @@ def chart(title, y_title, last, colours, first=1, **more):
         allow_interruptions=True, **more)
 
 
+def picture(c):
+    """The chart alone: without the date and the version, which pygal leaves in comments, and without its script."""
+    ElementTree.register_namespace("", SVG)
+    root = ElementTree.fromstring(c.render())
+    for parent in list(root.iter()):
+        for script in parent.findall(f"{{{SVG}}}script"):
+            parent.remove(script)
+    return ElementTree.tostring(root, encoding="unicode")
+
+
 def logged(points, column, transform=lambda y: y):
     return [(round(math.log10(point[0]), 6), transform(point[column])) for point in points]
 
@@ -51,7 +67,7 @@ def convergence(name, found):
     add(c, "median", points)
     c.add("least to greatest", outline(points), stroke_style={"width": 1})
     c.add("proven optimum", [(0, top), (math.log10(points[-1][0]), top)], stroke_style={"width": 1.5, "dasharray": "6,4"})
-    return c.render()
+    return picture(c)
 
 
 def learning(found, column, title, y_title):
@@ -62,7 +78,7 @@ def learning(found, column, title, y_title):
     top = found["certified"]["value"]["median"]
     c.add("proven optimum (certified setting)", [(0, top), (math.log10(last), top)],
           stroke_style={"width": 1.5, "dasharray": "6,4"})
-    return c.render()
+    return picture(c)
 
 
 def growth(name, found):
@@ -73,7 +89,7 @@ def growth(name, found):
               value_formatter=lambda y: f"{10 ** y:,.0f}")
     for label, approach in approaches.items():
         add(c, label, approach["entries_course"], lambda y: round(math.log10(max(1, y)), 6))
-    return c.render()
+    return picture(c)
 
 
 def oscillation(found):
@@ -83,7 +99,7 @@ def oscillation(found):
                          ("representative", "times from the representative (section 5.2.3)")):
         c.add(label, [(round(math.log10(episode), 6), max_q) for episode, max_q in found[times]["seed_1"]
                       if episode >= 100], stroke_style={"width": 1.5})
-    return c.render()
+    return picture(c)
 
 
 def belief(found):
@@ -98,7 +114,7 @@ def belief(found):
     add(c, "median", points)
     c.add("least to greatest", outline(points), stroke_style={"width": 1})
     c.add("2 %", [(math.log10(0.7), 2), (math.log10(points[-1][0]), 2)], stroke_style={"width": 1.5, "dasharray": "6,4"})
-    return c.render()
+    return picture(c)
 
 
 def draw(data):

@@ -113,7 +113,7 @@ def groups(lab, pictures):
     """Regions and spots of the map with 657 free cells."""
     pictures["fig53"], regions = lab.picture_of_map("fig53", "--regions", "--region-size", 25, "--region-diameter", 15)
     pictures["fig55"], spots = lab.picture_of_map("fig53", "--spots", "--spot-size", 5, "--spot-diameter", 25)
-    count, distance = divide_plainly((lab.root / lab.map("fig53")).read_text(), 25, 15)
+    count, distance = divide_plainly((lab.root / lab.map("fig53")).read_text(encoding="utf-8"), 25, 15)
     return {"cells": regions["cells"], "regions": regions["regions"], "distance": regions["mean_distance"],
             "plain_regions": count, "plain_distance": distance, "places": spots["places"], "spots": spots["spots"]}
 
@@ -243,8 +243,8 @@ def seek(lab, seed):
     """Excess of the expected time over that of a hider known, after each number of games."""
     folder = lab.scratch / f"belief-{seed}"
     folder.mkdir()
-    drawing = (lab.root / lab.map("fig53")).read_text()
-    (folder / "map.txt").write_text(drawing)
+    drawing = (lab.root / lab.map("fig53")).read_text(encoding="utf-8")
+    (folder / "map.txt").write_text(drawing, encoding="utf-8")
     cells = place_cells(drawing)
     (folder / "mission.yaml").write_text("map: map.txt\nplaces_csv: places.csv\n")
     weights, hidden = hide(seed, len(cells))

@@ -28,7 +28,7 @@ class Lab:
         return str(self.scratch / f"{self.files}{suffix}")
 
     def run(self, *words):
-        done = subprocess.run([str(self.tool), *map(str, words)], cwd=self.root, capture_output=True, text=True)
+        done = subprocess.run([str(self.tool), *map(str, words)], cwd=self.root, capture_output=True, encoding="utf-8")
         if done.returncode != 0:
             raise SystemExit(f"quarter {' '.join(map(str, words))}\n{done.stderr}")
         return done.stdout
@@ -45,7 +45,7 @@ class Lab:
         path = self.file(".csv")
         told = self.learn(name, "--learner", "paper", "--gap", 0, "--episodes", episodes, "--seed", seed, "--curve",
                           path, *options)
-        with open(path, newline="") as file:
+        with open(path, newline="", encoding="utf-8") as file:
             rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
         os.remove(path)
         return told, rows
@@ -55,12 +55,12 @@ class Lab:
         self.run("learn", self.map(name), "--robots", 2, "-q", "-o", table, *options)
         self.run("draw", table, "-o", picture)
         # The certificate names the file as the title: a number of this run's, of no use to a reader.
-        return Path(picture).read_text().replace(Path(table).name, Path(self.map(name)).name)
+        return Path(picture).read_text(encoding="utf-8").replace(Path(table).name, Path(self.map(name)).name)
 
     def picture_of_map(self, name, *options):
         picture = self.file(".svg")
         told = self.ask("draw", self.map(name), "-o", picture, *options)
-        return Path(picture).read_text(), told
+        return Path(picture).read_text(encoding="utf-8"), told
 
 
 def side_by_side(work, items):
