@@ -43,6 +43,7 @@ static inline void scratch_write_bytes(const char *name, const void *data, size_
   while (known < scratch_count && strcmp(scratch_names[known], name) != 0) known++;
   TEST_ASSERT_LESS_THAN_INT(SCRATCH_FILES, known);
   if (known == scratch_count) snprintf(scratch_names[scratch_count++], sizeof *scratch_names, "%s", name);
+  remove(scratch_path(name)); /* some file systems wait for the disk when a file is cut to nothing and written anew */
   FILE *file = fopen(scratch_path(name), "wb");
   TEST_ASSERT_NOT_NULL(file);
   TEST_ASSERT_EQUAL_size_t(size, fwrite(data, 1, size, file));

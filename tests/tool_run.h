@@ -23,7 +23,9 @@ static inline void read_text(const char *path, char *text, size_t size) {
   if (file != NULL) fclose(file);
 }
 
+/* A new file: some file systems wait for the disk when one is cut to nothing and written anew. */
 static inline void write_file(const char *path, const char *text) {
+  remove(path);
   FILE *file = fopen(path, "wb");
   TEST_ASSERT_NOT_NULL(file);
   fputs(text, file);
@@ -38,6 +40,8 @@ static inline void __attribute__((format(printf, 2, 3))) run_tool(tool_result *r
   vsnprintf(words, sizeof words, format, arguments);
   va_end(arguments);
   snprintf(command, sizeof command, "'%s' %s >out.txt 2>err.txt </dev/null", QUARTER_TOOL, words);
+  remove("out.txt");
+  remove("err.txt");
   const int status = system(command);
   result->status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   read_text("out.txt", result->out, sizeof result->out);

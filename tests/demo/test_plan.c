@@ -128,6 +128,7 @@ static void test_a_table_whose_bytes_were_damaged_is_refused(void) {
   fclose(file);
   for (size_t at = 0; at < size; at += 7) {
     bytes[at] ^= 0x10;
+    remove("damaged.qtr"); /* written anew it would wait for the disk each time */
     file = fopen("damaged.qtr", "wb");
     TEST_ASSERT_NOT_NULL(file);
     fwrite(bytes, 1, size, file);

@@ -16,12 +16,13 @@ import unittest
 sys.dont_write_bytecode = True  # a test leaves nothing in the checkout
 
 import webdriver  # noqa: E402
-from webdriver import wait  # noqa: E402
 
 LINE = '<script id="replay" type="application/json">null</script>'
 SCANS = ("scanned", "found")  # a place where a mine was found was scanned
 OPEN_PLACES = "document.querySelector('#places').open = true"
 FAULTS = ("lost", "stuck", "loss", "slip")
+TIME = "parseFloat(document.querySelector('#time').dataset.value)"
+PLAY = "document.querySelector('#play').click()"
 
 
 def page_of(text):
@@ -61,7 +62,13 @@ class Pages(unittest.TestCase):
         self.wait_until("main:not([hidden])")
 
     def wait_until(self, selector):
-        wait(lambda: self.browser.run("return document.querySelector(arguments[0]) !== null", selector), selector)
+        self.browser.wait_for("return document.querySelector(arguments[0]) !== null", selector)
+
+    def wait_time(self, t):
+        self.browser.wait_for(f"return Math.abs({TIME} - arguments[0]) < 1e-6", t)
+
+    def wait_past(self, t, first=""):
+        self.browser.wait_for(f"return {TIME} > arguments[0]", t, first=first)
 
     def time(self):
         return float(self.browser.attribute("#time", "data-value") or "nan")
@@ -70,7 +77,7 @@ class Pages(unittest.TestCase):
         """As a pointer does: sets the range and says so."""
         script = "const s = arguments[0]; s.value = arguments[1]; s.dispatchEvent(new Event('input', {bubbles: true}))"
         self.browser.run(script, {webdriver.ELEMENT: self.browser.find("#scrub")}, t)
-        wait(lambda: abs(self.time() - t) < 1e-6, f"time {t}")
+        self.wait_time(t)
 
     def number(self, name):
         return float(self.browser.text(f"#{name}"))
@@ -91,21 +98,20 @@ class Playing(Pages):
         self.assertEqual(self.time(), 0)
         self.browser.media(prefers_reduced_motion="no-preference")
         self.open_replay()
-        wait(lambda: self.time() > 0, "time goes on")
+        self.wait_past(0)
         self.assertEqual(self.browser.attribute("#play", "data-playing"), "true")
 
     def test_play_advances_time_and_pause_stops_it(self):
         self.open_replay()
         self.browser.click("#play")
         self.assertEqual(self.browser.text("#play").strip(), "Pause")
-        wait(lambda: self.time() > 0.3, "time goes on")
+        self.wait_past(0.3)
         self.browser.click("#play")
         self.assertEqual(self.browser.text("#play").strip(), "Play")
         # Two more frames drawn: time enough for a clock that had not stopped.
-        frames = "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))"
-        self.browser.wait_for(frames)
+        self.browser.draw(2)
         paused = self.time()
-        self.browser.wait_for(frames)
+        self.browser.draw(2)
         self.assertEqual(self.time(), paused)
 
     def test_plays_to_the_end_and_starts_again(self):
@@ -115,8 +121,7 @@ class Playing(Pages):
         self.wait_until("#play[data-playing='false']")
         self.assertEqual(self.time(), SAMPLE["duration"])
         self.assertEqual(self.number("scanned"), SAMPLE["result"]["scanned"])
-        self.browser.click("#play")
-        wait(lambda: 0 < self.time() < SAMPLE["duration"], "it plays again")
+        self.browser.wait_for(f"return 0 < {TIME} && {TIME} < arguments[0]", SAMPLE["duration"], first=PLAY)
 
     def test_scrubbing_shows_the_places_scanned_by_then(self):
         self.open_replay()
@@ -140,12 +145,12 @@ class Playing(Pages):
         self.assertEqual(self.browser.run(buttons), expected)
         lost = next(e for e in SAMPLE["events"] if e["kind"] == "lost")
         self.browser.click("#events button[data-kind='lost']")
-        wait(lambda: self.time() == lost["t"], "the loss")
+        self.wait_time(lost["t"])
 
     def test_the_chart_leads_to_its_time(self):
         self.open_replay()
         self.browser.click("#chart")
-        wait(lambda: self.time() > 0, "the chart's middle")
+        self.wait_past(0)
 
     def test_keys(self):
         self.open_replay()
@@ -157,7 +162,7 @@ class Playing(Pages):
             self.browser.run("document.querySelector(arguments[0]).focus()", focus)
             for key, shift, expected in steps:
                 self.browser.press(key, shift)
-                wait(lambda: abs(self.time() - expected) < 1e-6, f"{key} on {focus}: {expected} s, not {self.time()}")
+                self.wait_time(expected)
             self.browser.press("space")
             self.wait_until("#play[data-playing='true']")
             self.browser.press("space")
@@ -215,10 +220,10 @@ class Showing(Pages):
 
     def test_the_map_is_drawn_and_changes_with_time(self):
         self.open_replay()
-        picture = "return document.querySelector('#map').toDataURL()"
-        before = self.browser.run(picture)
+        picture = "document.querySelector('#map').toDataURL()"
+        before = self.browser.run(f"return {picture}")
         self.scrub(20)
-        wait(lambda: self.browser.run(picture) != before, "another picture")
+        self.browser.wait_for(f"return {picture} !== arguments[0]", before)
         self.assertEqual(self.colours_at(SAMPLE["places"][8]), 2)
 
     def colours_at(self, place):
@@ -243,15 +248,14 @@ class Showing(Pages):
             self.browser.resize(width, 844)
             self.open_replay()
             self.browser.run(OPEN_PLACES)
-            over = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
-            wait(lambda: self.browser.run(over) == 0, f"no sideways scroll at {width}")
+            self.browser.wait_for("const e = document.documentElement; return e.scrollWidth === e.clientWidth")
 
     def test_dark_as_the_system_wishes_or_by_hand(self):
         background = "return getComputedStyle(document.body).backgroundColor"
         self.open_replay()
         light = self.browser.run(background)
         self.browser.media(prefers_color_scheme="dark", prefers_reduced_motion="reduce")
-        wait(lambda: self.browser.run(background) != light, "dark while it is open")
+        self.browser.wait_for(f"{background} !== arguments[0]", light)
         dark = self.browser.run(background)
         self.open_replay()
         self.assertEqual(self.browser.run(background), dark)
@@ -349,7 +353,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.wfile.write(page_of('{"format": 1, "live": true}').encode())
 
     def send_events(self):
-        self.server.is_open.wait(webdriver.DEADLINE)
+        self.server.is_open.wait()
         self.start("text/event-stream")
         self.wfile.write(b"retry: 50\n\n")
         while (message := self.server.messages.get()) is not None:
@@ -375,9 +379,6 @@ class Live(Pages):
         events = [event for event in SAMPLE["events"] if self.sent < event["t"] <= t]
         self.host.send("frame", {"t": t, "robots": robots, "events": events})
         self.sent = t
-
-    def wait_time(self, t):
-        wait(lambda: abs(self.time() - t) < 1e-6, f"time {t}")
 
     def test_follows_the_run_to_its_end(self):
         self.wait_until("#badge[data-state='connecting']")
@@ -418,7 +419,7 @@ class Live(Pages):
         self.browser.press("space")
         self.scrub(5.0)
         self.frame(15.0)
-        wait(lambda: self.number("duration") == 15.0, "the frame has come")
+        self.browser.wait_for("return Number(document.querySelector('#duration').textContent) === 15")
         self.assertEqual(self.time(), 5.0)
         self.browser.click("#follow")
         self.wait_time(15.0)
@@ -485,7 +486,7 @@ if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     if webdriver.installed() is None:
-        print("no chromium or no chromedriver: the viewer is not tested")
+        print("SKIPPED: the replay page in a browser: there is no chromium with a chromedriver")
         sys.exit(77)
     template, sample = sys.argv[1:3]
     TEMPLATE = pathlib.Path(template).read_text(encoding="utf-8")
