@@ -1,5 +1,6 @@
 #include "outcome.h"
 
+#include "count.h"
 #include "outfile.h"
 #include "record.h"
 
@@ -20,20 +21,19 @@ static void write_outcome(FILE *out, const plan *p, const game_result *result, c
 static void tell_outcome(FILE *out, const plan *p, const game_result *r, const settings *s) {
   const double planned = r->mine >= 0 && p->step[r->mine] != QTR_NEVER ? p->step[r->mine] * game_step_seconds() : -1.0;
   const table_certificate c = table_certificate_of(&p->t);
-  fprintf(out,
-          "%s: %d robots, %d places; the plan is %s, at most %.2g %% from the optimum, expected time to find %.1f s\n",
-          p->name, p->t.policy.board.seekers, p->t.policy.board.places, c.certified ? "certified" : "not certified",
-          100.0 * c.gap, p->expected_step * game_step_seconds());
+  fprintf(out, "%s: %s, %s; the plan is %s, at most %.2g %% from the optimum, expected time to find %.1f s\n", p->name,
+          counted(p->t.policy.board.seekers, "robot").text, counted(p->t.policy.board.places, "place").text,
+          c.certified ? "certified" : "not certified", 100.0 * c.gap, p->expected_step * game_step_seconds());
   fprintf(out, "seed %llu: ", (unsigned long long)s->seed);
   if (r->found_at >= 0.0)
     fprintf(out, "found at place %d after %.1f s, planned %.1f s", r->mine, r->found_at, planned);
   else
     fprintf(out, "nothing found");
   if (r->all_stopped_at >= 0.0) fprintf(out, "; all stopped at %.1f s", r->all_stopped_at);
-  fprintf(out,
-          "\n%d places scanned, %d of them twice, %d collisions, %llu termination signals sent, %.0f times real time\n",
-          r->scanned, r->duplicates, r->collisions, (unsigned long long)r->counts.sent[KIND_TERMINATE],
-          r->duration / r->wall_seconds);
+  fprintf(out, "\n%s scanned, %d of them twice, %s, %s sent, %.0f times real time\n",
+          counted((uint64_t)r->scanned, "place").text, r->duplicates,
+          counted((uint64_t)r->collisions, "collision").text,
+          counted(r->counts.sent[KIND_TERMINATE], "termination signal").text, r->duration / r->wall_seconds);
   if (s->replay != NULL) fprintf(out, "wrote %s: open it in a web browser\n", s->replay);
   if (s->log != NULL) fprintf(out, "wrote %s\n", s->log);
 }

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "count.h"
 #include "follow.h"
 #include "json.h"
 #include "launch.h"
@@ -154,8 +155,8 @@ static void write_figures(FILE *out, const runs_figures *f, const settings *s) {
 
 static void tell_figures(FILE *out, const runs_figures *f, const settings *s) {
   static const char *const strategies[] = {"the plan", "nearest first, no plan", "nearest first, full communication"};
-  fprintf(out, "%s, %s%s: %d games, found in %d\n", p.name, strategies[s->strategy],
-          s->lose_one ? ", one robot lost" : "", f->games, f->found);
+  fprintf(out, "%s, %s%s: %s, found in %d\n", p.name, strategies[s->strategy], s->lose_one ? ", one robot lost" : "",
+          counted((uint64_t)f->games, "game").text, f->found);
   fprintf(out,
           "time to find: mean %.2f s (planned for the same mines %.2f, expected %.2f), median %.1f, 90 %% %.1f, most "
           "%.1f\n",

@@ -60,7 +60,7 @@ static void test_faults_name_the_line(void) {
   scratch_write("a.map", "type octile\nheight 1\nwidth 2\nmap\n...\n");
   scratch_refuse("m.yaml", "a.map:5", "3 cells, but the width is 2", "agree");
   scratch_write("a.map", "type octile\nheight 1\nwidth 2\nmap\n..\n..\n");
-  scratch_refuse("m.yaml", "a.map:6", "goes on after the 1 rows", "height (line 2)");
+  scratch_refuse("m.yaml", "a.map:6", "goes on after the 1 row of", "height (line 2)");
   scratch_write("a.map", "type octile\nheight 1\nwidth 2\nmap\n.x\n");
   scratch_refuse("m.yaml", "a.map:5:2", "unknown character 'x'", "use .");
 }

@@ -79,8 +79,8 @@ static void test_blanks_after_the_samples(void) {
   const uint16_t samples[] = {1, 2};
   EXPECT("P5 2 1 255\n\1\2\n", 2, 1, 255, samples);
   EXPECT("P2 2 1 255\n1 2\n# done\n", 2, 1, 255, samples);
-  REFUSE("P5 2 1 255\n\1\2\3", "goes on for 1 bytes");
-  REFUSE("P2 2 1 255\n1 2 3", "goes on for 1 bytes");
+  REFUSE("P5 2 1 255\n\1\2\3", "goes on for 1 byte after");
+  REFUSE("P2 2 1 255\n1 2 3", "goes on for 1 byte after");
 }
 
 static void test_wrong_magic(void) {

@@ -1,28 +1,15 @@
 #include "carray.h"
 
-#include <ctype.h>
 #include <inttypes.h>
-#include <string.h>
 
+#include "cname.h"
 #include "quarter/status.h"
 
-#define NAME_SIZE 128
 #define BYTES_A_LINE 16
 
-/* "out/mine field.c" becomes mine_field. */
-static void make_name(char *name, const char *path) {
-  const char *slash = strrchr(path, '/');
-  const char *from = slash != NULL ? slash + 1 : path;
-  size_t length = 0;
-  if (isalpha((unsigned char)*from) == 0) name[length++] = 'p';
-  for (; *from != '\0' && *from != '.' && length + 1 < NAME_SIZE; from++)
-    name[length++] = isalnum((unsigned char)*from) != 0 ? *from : '_';
-  name[length] = '\0';
-}
-
 void carray_write(FILE *out, const char *path, const uint8_t *bytes, uint32_t size) {
-  char name[NAME_SIZE];
-  make_name(name, path);
+  char name[CNAME_SIZE];
+  cname_of_path(name, path);
   fprintf(out, "/* A Quarter policy table, made by quarter %s. Declare it where it is used:\n", QTR_VERSION_STRING);
   fprintf(out, " *   extern const uint8_t %s[];\n *   extern const uint32_t %s_size;\n */\n", name, name);
   fprintf(out, "#include <stdint.h>\n\nextern const uint8_t %s[];\nextern const uint32_t %s_size;\n\n", name, name);

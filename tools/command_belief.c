@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include "commands.h"
+#include "count.h"
 #include "history.h"
 #include "json.h"
 #include "options.h"
@@ -190,28 +191,23 @@ static void write_json(FILE *out, const study *s) {
   json_end_object(&j);
 }
 
-static const char *plural(uint32_t count) {
-  return count == 1 ? "" : "s";
-}
-
 static void write_place_line(FILE *out, const study *s, unsigned place) {
   fprintf(out, "  place %u (column %u, row %u): ", place, column_of(s, place), row_of(s, place));
   if (s->o->history != NULL)
-    fprintf(out, "%.4g -> %.4g, found %" PRIu32 " time%s\n", s->before[place], s->after[place], s->tally.found[place],
-            plural(s->tally.found[place]));
+    fprintf(out, "%.4g -> %.4g, found %s\n", s->before[place], s->after[place],
+            counted(s->tally.found[place], "time").text);
   else
     fprintf(out, "%.4g\n", s->after[place]);
 }
 
 static void write_text(FILE *out, const study *s) {
   const history_tally *tally = &s->tally;
-  fprintf(out, "%s: %d place%s, whose prior counts for %.6g finds\n", s->o->input, s->belief.places,
-          plural(s->belief.places), s->strength);
+  fprintf(out, "%s: %s, whose prior counts for %s\n", s->o->input, counted(s->belief.places, "place").text,
+          measured(s->strength, "find").text);
   if (s->o->history != NULL)
-    fprintf(out, "%s: %" PRIu32 " game%s with %" PRIu32 " find%s, %" PRIu32 " without any\n", s->o->history,
-            tally->games, plural(tally->games), tally->finds, plural(tally->finds), tally->without);
-  if (s->o->belief != NULL)
-    fprintf(out, "%s: %" PRIu32 " game%s in all\n", s->o->belief, s->belief.games, plural(s->belief.games));
+    fprintf(out, "%s: %s with %s, %" PRIu32 " without any\n", s->o->history, counted(tally->games, "game").text,
+            counted(tally->finds, "find").text, tally->without);
+  if (s->o->belief != NULL) fprintf(out, "%s: %s in all\n", s->o->belief, counted(s->belief.games, "game").text);
   for (unsigned place = 0; place < s->belief.places; place++) write_place_line(out, s, place);
   if (s->o->output != NULL) fprintf(out, "wrote %s\n", s->o->output);
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "commands.h"
+#include "count.h"
 #include "draw_svg.h"
 #include "json.h"
 #include "outfile.h"
@@ -147,7 +148,7 @@ static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {
 static void add_certificate(sheet *s, const table *t) {
   const table_certificate c = table_certificate_of(t);
   add_line(s, c.certified ? "certified\tgap %.2g%%" : "not certified\tgap %.2g%%", 100.0 * c.gap);
-  add_line(s, "expected time\t%.5g steps", c.expected_time);
+  add_line(s, "expected time\t%s", measured(c.expected_time, "step").text);
   add_line(s, "discounted value\t%.5g", c.value);
   add_line(s, c.by_time ? "no less time than\t%.5g steps" : "no more value than\t%.5g", c.bound);
 }
@@ -198,7 +199,7 @@ static int add_regions(sheet *s, const options *o, fault *why) {
   }
   if (s->free_cells > 0) s->mean_distance /= s->free_cells;
   add_line(s, "regions\t%" PRIu32, divided.count);
-  add_line(s, "to representative\t%.3g steps", s->mean_distance);
+  add_line(s, "to representative\t%.3g step%s", s->mean_distance, s->mean_distance == 1.0 ? "" : "s");
   return 0;
 }
 

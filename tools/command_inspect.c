@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "count.h"
 #include "json.h"
 #include "print.h"
 #include "report.h"
@@ -105,15 +106,16 @@ static void write_text(FILE *out, const void *what) {
   const inspection *i = what;
   const table *t = &i->t;
   const table_certificate c = table_certificate_of(t);
-  fprintf(out, "%s: a sound policy table, %zu bytes, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", i->o->input,
-          t->bytes.size, c.version[0], c.version[1], c.version[2], c.seed);
-  fprintf(out, "%d x %d cells, %d places, %d %s; %s rule, %s\n", t->policy.grid.columns, t->policy.grid.rows,
-          t->policy.board.places, t->policy.board.seekers, t->policy.board.seekers == 1 ? "robot" : "robots",
+  fprintf(out, "%s: a sound policy table, %s, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", i->o->input,
+          counted(t->bytes.size, "byte").text, c.version[0], c.version[1], c.version[2], c.seed);
+  fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->policy.grid.columns, t->policy.grid.rows,
+          counted(t->policy.board.places, "place").text, counted(t->policy.board.seekers, "robot").text,
           t->policy.board.rule == QTR_RULE_PAPER ? "paper" : "free",
           c.by_time ? "least expected time" : "discounted value");
-  fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %.6g steps; bound %.6g, gap %.3g%%\n",
-          c.certified ? "certified" : "not certified", c.value, c.gamma, c.expected_time, c.bound, 100.0 * c.gap);
-  fprintf(out, "%" PRIu32 " states of %d-byte keys\n", t->policy.records, 4 * t->policy.board.key_words);
+  fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %s; bound %.6g, gap %.3g%%\n",
+          c.certified ? "certified" : "not certified", c.value, c.gamma, measured(c.expected_time, "step").text,
+          c.bound, 100.0 * c.gap);
+  fprintf(out, "%s of %d-byte keys\n", counted(t->policy.records, "state").text, 4 * t->policy.board.key_words);
   report_routes(out, i->routes, t->policy.board.seekers);
 }
 

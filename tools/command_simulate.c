@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "count.h"
 #include "json.h"
 #include "print.h"
 #include "quarter/status.h"
@@ -101,8 +102,8 @@ static void write_text(FILE *out, const void *what) {
   const simulation *s = &a->s;
   const table *t = &a->t;
   const options *o = a->o;
-  fprintf(out, "%s: %d of %d places visited by step %" PRIu32 ", %d visited again, %" PRIu32 " choices off the table\n",
-          o->input, s->visits, t->policy.board.places, s->end, s->duplicates, s->off_table);
+  fprintf(out, "%s: %d of %s visited by step %" PRIu32 ", %d visited again, %s off the table\n", o->input, s->visits,
+          counted(t->policy.board.places, "place").text, s->end, s->duplicates, counted(s->off_table, "choice").text);
   for (int i = 0; i < s->visits; i++)
     fprintf(out, "  step %4" PRIu32 "  seeker %d  place %d\n", s->visit[i].step, s->visit[i].seeker, s->visit[i].place);
   for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
@@ -112,7 +113,7 @@ static void write_text(FILE *out, const void *what) {
   else if (isnan(s->expected_time))
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
-    fprintf(out, "discounted value %.6g, expected time %.6g steps\n", s->value, s->expected_time);
+    fprintf(out, "discounted value %.6g, expected time %s\n", s->value, measured(s->expected_time, "step").text);
 }
 
 /* Put the seekers where the options say. */
@@ -121,12 +122,12 @@ static int deploy(table *t, const options *o, fault *why) {
   qtr_cell starts[QTR_MAX_SEEKERS];
   if (o->froms == 0) return 0;
   if (o->froms != t->policy.board.seekers)
-    return fault_set(why, "--from: given %d times, but the table has %d seekers; give each its start", o->froms,
-                     t->policy.board.seekers);
+    return fault_set(why, "--from: given %s, but the table has %s; give each its start",
+                     counted((uint64_t)o->froms, "time").text, counted(t->policy.board.seekers, "seeker").text);
   for (int i = 0; i < o->froms; i++) {
     if (o->from[i].column >= (int)columns || o->from[i].row >= (int)t->policy.grid.rows)
-      return fault_set(why, "--from %d,%d: off the map, which has %u columns and %u rows", o->from[i].column,
-                       o->from[i].row, columns, t->policy.grid.rows);
+      return fault_set(why, "--from %d,%d: off the map, which has %s and %s", o->from[i].column, o->from[i].row,
+                       counted(columns, "column").text, counted(t->policy.grid.rows, "row").text);
     starts[i] = (qtr_cell)(o->from[i].row * (int)columns + o->from[i].column);
   }
   if (qtr_policy_deploy(&t->policy, starts) == QTR_OK) return 0;

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "count.h"
 #include "json.h"
 #include "print.h"
 #include "progress.h"
@@ -195,8 +196,8 @@ static int tune(const options *o, fault *why) {
     if (o->budget_entries == 0 || tries[i].entries <= o->budget_entries) tries[kept++] = tries[i];
   count = kept;
   if (count == 0)
-    return fault_set(why, "%s: nothing fits %" PRIu64 " Q entries; allow more with --budget-entries", o->input,
-                     o->budget_entries);
+    return fault_set(why, "%s: nothing fits %s; allow more with --budget-entries", o->input,
+                     counted(o->budget_entries, "Q entry").text);
   qsort(tries, (size_t)count, sizeof *tries, compare_tries);
   return 0;
 }
@@ -256,16 +257,16 @@ static void write_worth_of_options(FILE *out) {
     int best = 0;
     while (best < count && !kinds[kind].holds(&tries[best])) best++;
     if (best == count) continue;
-    fprintf(out, "%8.3f%%  %10" PRIu64 " Q entries  %s\n", 100.0 * tries[best].certificate.gap, tries[best].entries,
-            kinds[kind].name);
+    fprintf(out, "%8.3f%%  %20s  %s\n", 100.0 * tries[best].certificate.gap,
+            counted(tries[best].entries, "Q entry").text, kinds[kind].name);
   }
 }
 
 static void write_text(FILE *out, const void *what) {
   const options *o = what;
-  fprintf(out, "%s: bound %.6g for any policy; certified learning on the true map: %.6g, %" PRIu64 " Q entries\n",
-          o->input, tries[0].certificate.bound, proven.certificate.objective, proven.entries);
-  fprintf(out, "the best of %d tries, by what they earn on the ground:\n", count);
+  fprintf(out, "%s: bound %.6g for any policy; certified learning on the true map: %.6g, %s\n", o->input,
+          tries[0].certificate.bound, proven.certificate.objective, counted(proven.entries, "Q entry").text);
+  fprintf(out, "the best of %s, by what they earn on the ground:\n", counted((uint64_t)count, "try").text);
   fprintf(out, "      gap    objective   Q entries  targets  options\n");
   for (int i = 0; i < count && i < 10; i++) {
     const try *t = &tries[i];

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "count.h"
 #include "draw_parts.h"
 
 enum { PAD = 22, TITLE = 34, LONGEST_SIDE = 880 };
@@ -94,8 +95,8 @@ static void describe(const draw_page *page) {
   const drawing *d = page->d;
   fputs("<title id=\"title\">", page->out);
   draw_text(page->out, d->title != NULL ? d->title : "Search plan", 1000);
-  fprintf(page->out, "</title>\n<desc id=\"desc\">A map of %u by %u cells with %d places and %d seekers.", d->columns,
-          d->rows, d->places, d->seekers);
+  fprintf(page->out, "</title>\n<desc id=\"desc\">A map of %u by %u cells with %s and %s.", d->columns, d->rows,
+          counted((uint64_t)d->places, "place").text, counted((uint64_t)d->seekers, "seeker").text);
   for (int i = 0; i < d->seekers; i++) {
     fprintf(page->out, " Seeker %d visits", i);
     if (d->seeker[i].places == 0) fputs(" no place", page->out);

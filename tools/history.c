@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "count.h"
 #include "quarter/status.h"
 #include "reader/near.h"
 #include "reader/text.h"
@@ -99,8 +100,8 @@ static int split_row(reading *r) {
   }
   if (count == r->columns) return 0;
   return file_fault(r->why, r->path, r->lines.number, 0,
-                    "the line has %d field%s and the header %d; write as many, with commas between", count,
-                    count == 1 ? "" : "s", r->columns);
+                    "the line has %s and the header %d; write as many, with commas between",
+                    counted((uint64_t)count, "field").text, r->columns);
 }
 
 static int unknown_place(reading *r, const char *which) {

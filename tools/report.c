@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 
+#include "count.h"
 #include "json.h"
 #include "print.h"
 
@@ -94,32 +95,35 @@ static void write_verdict(FILE *out, const report *r) {
   else
     fprintf(out, "not certified: at most %.3g%% from the optimum when it ended (%s)", 100.0 * c->gap, r->ended);
   if (r->p->in.mission.objective == QTR_TIME)
-    fprintf(out, "; expected time %.6g steps, bound %.6g (discounted value %.6g)\n", c->expected_time, c->bound,
-            c->value);
+    fprintf(out, "; expected time %s, bound %.6g (discounted value %.6g)\n", measured(c->expected_time, "step").text,
+            c->bound, c->value);
   else
-    fprintf(out, "; discounted value %.6g, bound %.6g (expected time %.6g steps)\n", c->value, c->bound,
-            c->expected_time);
+    fprintf(out, "; discounted value %.6g, bound %.6g (expected time %s)\n", c->value, c->bound,
+            measured(c->expected_time, "step").text);
 }
 
 static void write_text(FILE *out, const void *what) {
   const report *r = what;
   const qtr_mission *mission = &r->p->in.mission;
-  fprintf(out, "%s: %" PRIu32 " free cells, %d places, %d %s\n", r->o->input, problem_free_cells(r->p), mission->places,
-          mission->seekers, mission->seekers == 1 ? "robot" : "robots");
+  fprintf(out, "%s: %s, %s, %s\n", r->o->input, counted(problem_free_cells(r->p), "free cell").text,
+          counted(mission->places, "place").text, counted(mission->seekers, "robot").text);
   write_verdict(out, r);
   if (r->q_bytes > 0 || r->certificate.episodes > 0)
-    fprintf(out, "%" PRIu64 " episodes, %" PRIu64 " updates, %" PRIu64 " Q entries (%" PRIu64 " bytes), %.3g s\n",
-            r->certificate.episodes, r->certificate.updates, r->q_entries, r->q_bytes, r->seconds);
+    fprintf(out, "%s, %s, %s (%s), %.3g s\n", counted(r->certificate.episodes, "episode").text,
+            counted(r->certificate.updates, "update").text, counted(r->q_entries, "Q entry").text,
+            counted(r->q_bytes, "byte").text, r->seconds);
   else
     fprintf(out, "%.3g s\n", r->seconds);
   report_routes(out, r->route, mission->seekers);
   if (r->o->output != NULL)
-    fprintf(out, "wrote %s: %" PRIu32 " bytes, %" PRIu32 " states\n", r->o->output, r->table_bytes, r->table_records);
+    fprintf(out, "wrote %s: %s, %s\n", r->o->output, counted(r->table_bytes, "byte").text,
+            counted(r->table_records, "state").text);
   if (r->anywhere && r->any.trials > 0)
     fprintf(out,
-            "for any start in %" PRIu32 " regions; from %d random starts it loses %.2g%% (median), %.2g%% (worst) "
+            "for any start in %s; from %s it loses %.2g%% (median), %.2g%% (worst) "
             "against policies learnt for them alone\n",
-            r->any.regions, r->any.trials, 100.0 * r->any.median_loss, 100.0 * r->any.worst_loss);
+            counted(r->any.regions, "region").text, counted((uint64_t)r->any.trials, "random start").text,
+            100.0 * r->any.median_loss, 100.0 * r->any.worst_loss);
   if (r->o->c_output != NULL) fprintf(out, "wrote %s\n", r->o->c_output);
 }
 

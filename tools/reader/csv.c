@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "count.h"
 #include "frame.h"
 #include "sites.h"
 #include "text.h"
@@ -23,8 +24,8 @@ static int split(text_field fields[FIELDS], const input *in, const text_lines *l
     count++;
   }
   if (count == FIELDS) return 0;
-  return file_fault(why, in->csv, lines->number, 0, "the line has %d field%s, not %d; write \"x,y,weight\" with commas",
-                    count, count == 1 ? "" : "s", FIELDS);
+  return file_fault(why, in->csv, lines->number, 0, "the line has %s, not %d; write \"x,y,weight\" with commas",
+                    counted((uint64_t)count, "field").text, FIELDS);
 }
 
 static int column_of(text_field it) {

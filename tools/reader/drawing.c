@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "count.h"
 #include "sites.h"
 #include "text.h"
 
@@ -50,8 +51,8 @@ static int check_row(input *in, const text_lines *lines, int *first, fault *why)
   }
   if (mission->rows > 0 && lines->length != mission->columns) {
     return file_fault(why, in->map, lines->number, 0,
-                      "the row has %zu cells, but the first one (line %d) has %u; make all rows equally long",
-                      lines->length, *first, (unsigned)mission->columns);
+                      "the row has %s, but the first one (line %d) has %u; make all rows equally long",
+                      counted(lines->length, "cell").text, *first, (unsigned)mission->columns);
   }
   double rows = mission->rows + 1.0;
   if (sites_check_size(in->map, lines->number, (double)lines->length, rows, why)) return -1;

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "count.h"
 #include "sites.h"
 #include "text.h"
 
@@ -96,8 +97,8 @@ static int read_header(const input *in, text_lines *lines, header *head, fault *
 static int read_row(input *in, const text_lines *lines, int row, fault *why) {
   qtr_mission *mission = &in->mission;
   if (lines->length != mission->columns) {
-    return file_fault(why, in->map, lines->number, 0, "the row has %zu cells, but the width is %u; make them agree",
-                      lines->length, (unsigned)mission->columns);
+    return file_fault(why, in->map, lines->number, 0, "the row has %s, but the width is %u; make them agree",
+                      counted(lines->length, "cell").text, (unsigned)mission->columns);
   }
   uint8_t *cost = mission->cost + (size_t)row * mission->columns;
   for (size_t i = 0; i < lines->length; i++) {
@@ -122,16 +123,15 @@ int movingai_read(input *in, const file_bytes *bytes, fault *why) {
   for (int row = 0; row < head.height; row++) {
     if (!text_next(&lines)) {
       return file_fault(why, in->map, lines.number, 0,
-                        "ends after %d of %ld rows; copy the file anew, or mend its height (line %d)", row, head.height,
-                        head.height_line);
+                        "ends after %d of %s; copy the file anew, or mend its height (line %d)", row,
+                        counted((uint64_t)head.height, "row").text, head.height_line);
     }
     if (read_row(in, &lines, row, why)) return -1;
   }
   while (text_next(&lines)) {
     if (text_blank(lines.line, lines.length)) continue;
-    return file_fault(why, in->map, lines.number, 0,
-                      "goes on after the %ld rows of its height (line %d); make them agree", head.height,
-                      head.height_line);
+    return file_fault(why, in->map, lines.number, 0, "goes on after the %s of its height (line %d); make them agree",
+                      counted((uint64_t)head.height, "row").text, head.height_line);
   }
   return 0;
 }

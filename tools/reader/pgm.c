@@ -1,4 +1,5 @@
 #include "pgm.h"
+#include "count.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -154,8 +155,8 @@ static int check_end(cursor *c) {
   if (c->at == c->end) return 0;
   return file_fault(
       c->why, c->path, 0, 0,
-      "goes on for %zu bytes after the pixels that its header says; mend the width and height, or copy the file anew",
-      left);
+      "goes on for %s after the pixels that its header says; mend the width and height, or copy the file anew",
+      counted(left, "byte").text);
 }
 
 /* "P" and a digit from `kinds`, then a blank or comment; a file that ends there is one too. */

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "count.h"
 #include "file.h"
 
 const char *sites_path(const input *in, input_origin origin) {
@@ -80,8 +81,8 @@ static int share_start(input *in, int robots, fault *why) {
   if (robots == 0 || robots == mission->seekers) return 0;
   if (mission->seekers > 1) {
     return file_fault(why, in->path, 0, 0,
-                      "%d robots asked for, but the input has %d starts; ask for %d, or keep one start for all", robots,
-                      mission->seekers, mission->seekers);
+                      "%d robots asked for, but the input has %s; ask for %d, or keep one start for all", robots,
+                      counted(mission->seekers, "start").text, mission->seekers);
   }
   if (robots > QTR_MAX_SEEKERS) {
     return file_fault(
