@@ -1,6 +1,7 @@
 /* profiles: host mcu */
 /* Topological aggregation: regions in order on any map, by all-pairs distances worked out on their own; and fewer and
  * tighter than a plain greedy makes them. */
+#include <math.h>
 #include <string.h>
 
 #include "quarter/regions.h"
@@ -268,15 +269,120 @@ static void test_with_terrain_the_longer_direction_counts(void) {
   TEST_ASSERT_EQUAL_UINT32(1, regions.count);
 }
 
+/* ---- likelihoods ---- */
+
+enum { PLACES = 12 };
+static qtr_cell place[PLACES];
+static double weight[PLACES];
+
+static void use_places(uint16_t places, double likelihood) {
+  config.places = places;
+  config.place = place;
+  config.weight = weight;
+  config.likelihood = likelihood;
+}
+
+/* Places on free cells, each on one of its own or with another. */
+static void strew_places(test_random *random) {
+  if (free_count == 0) return;
+  for (unsigned p = 0; p < PLACES; p++) {
+    place[p] = (qtr_cell)free_cell[random_below(random, (unsigned)free_count)];
+    weight[p] = random_in(random, 1, 9);
+  }
+  use_places(PLACES, random_in(random, 0, 8) / 4.0);
+}
+
+static void expect_likes_together(void) {
+  for (unsigned p = 0; p < config.places; p++)
+    for (unsigned q = 0; q < p; q++) {
+      const double ratio = weight[p] > weight[q] ? weight[p] / weight[q] : weight[q] / weight[p];
+      if (regions.of[place[p]] != regions.of[place[q]]) continue;
+      TEST_ASSERT_TRUE_MESSAGE(apart[place[p]][place[q]] * (1.0 + config.likelihood * (ratio - 1.0)) <= config.diameter,
+                               case_note);
+    }
+}
+
+static void test_unlike_places_are_kept_apart_and_regions_stay_in_order(void) {
+  for (unsigned i = 0; i < 200; i++) {
+    test_random random = random_case("likelihood", i);
+    scatter(&random, random_in(&random, 1, 14), random_in(&random, 1, 14), random_below(&random, 50), i % 2 ? 4 : 1);
+    config.max_size = random_in(&random, 1, 30);
+    config.diameter = random_in(&random, 1, 30);
+    work_out_distances();
+    strew_places(&random);
+    build();
+    expect_order();
+    expect_likes_together();
+  }
+}
+
+static void test_a_likely_place_parts_from_an_unlikely_one(void) {
+  draw(".......");
+  place[0] = 1;
+  place[1] = 5; /* 4 steps away: with weight 1 counted as 4 * 9, with weight 1/4 as 4 * 3 */
+  weight[0] = 9.0;
+  weight[1] = 1.0;
+  use_places(2, 1.0);
+  build_and_expect_order();
+  TEST_ASSERT_EQUAL_UINT32(2, regions.count);
+  TEST_ASSERT_NOT_EQUAL(regions.of[1], regions.of[5]);
+  config.likelihood = 0.25;
+  build_and_expect_order();
+  TEST_ASSERT_EQUAL_UINT32(1, regions.count);
+}
+
+static void test_likelihood_0_and_places_that_are_alike_change_nothing(void) {
+  test_random random = random_case("blind", 0);
+  scatter(&random, 30, 30, 25, 3);
+  build();
+  again = regions;
+  work_out_distances();
+  strew_places(&random);
+  for (int alike = 0; alike < 2; alike++) {
+    config.likelihood = alike ? 1000.0 : 0.0;
+    for (unsigned p = 0; alike && p < PLACES; p++) weight[p] = 2.5;
+    build();
+    TEST_ASSERT_EQUAL_UINT32(again.count, regions.count);
+    TEST_ASSERT_EQUAL_MEMORY(again.of, regions.of, 900 * sizeof *regions.of);
+    TEST_ASSERT_EQUAL_MEMORY(again.representative, regions.representative, regions.count * sizeof(qtr_cell));
+  }
+}
+
+static void expect_places_refused(int status) {
+  TEST_ASSERT_EQUAL_INT(status, qtr_regions_build(&regions, &grid, &config, &scratch));
+}
+
+static void test_places_out_of_range_are_refused(void) {
+  draw("...");
+  place[0] = 2;
+  weight[0] = 1.0;
+  use_places(1, 1.0);
+  expect_places_refused(QTR_OK);
+  place[0] = 3;
+  expect_places_refused(QTR_ERR_PLACE);
+  place[0] = 2;
+  weight[0] = 0.0;
+  expect_places_refused(QTR_ERR_WEIGHT);
+  weight[0] = HUGE_VAL;
+  expect_places_refused(QTR_ERR_WEIGHT);
+  config.places = QTR_MAX_PLACES + 1;
+  expect_places_refused(QTR_ERR_LIMIT);
+  config.likelihood = -1.0;
+  expect_places_refused(QTR_ERR_ARGUMENT);
+  config.likelihood = NAN;
+  expect_places_refused(QTR_ERR_ARGUMENT);
+}
+
 static void test_limits_out_of_range_are_refused(void) {
   draw("..");
-  const qtr_regions_config none = {0, 15}, point = {25, 0};
-  const qtr_regions_config large = {QTR_MAX_REGION_SIZE + 1, 15}, wide = {25, QTR_MAX_REGION_DIAMETER + 1};
+  const qtr_regions_config none = {.max_size = 0, .diameter = 15}, point = {.max_size = 25, .diameter = 0};
+  const qtr_regions_config large = {.max_size = QTR_MAX_REGION_SIZE + 1, .diameter = 15};
+  const qtr_regions_config wide = {.max_size = 25, .diameter = QTR_MAX_REGION_DIAMETER + 1};
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_regions_build(&regions, &grid, &none, &scratch));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_regions_build(&regions, &grid, &point, &scratch));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, qtr_regions_build(&regions, &grid, &large, &scratch));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, qtr_regions_build(&regions, &grid, &wide, &scratch));
-  const qtr_regions_config most = {QTR_MAX_REGION_SIZE, QTR_MAX_REGION_DIAMETER};
+  const qtr_regions_config most = {.max_size = QTR_MAX_REGION_SIZE, .diameter = QTR_MAX_REGION_DIAMETER};
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &most, &scratch));
 }
 
@@ -363,6 +469,10 @@ int main(void) {
   RUN_TEST(test_size_1_makes_every_free_cell_a_region);
   RUN_TEST(test_pockets_that_cannot_be_reached_are_regions_of_their_own);
   RUN_TEST(test_with_terrain_the_longer_direction_counts);
+  RUN_TEST(test_unlike_places_are_kept_apart_and_regions_stay_in_order);
+  RUN_TEST(test_a_likely_place_parts_from_an_unlikely_one);
+  RUN_TEST(test_likelihood_0_and_places_that_are_alike_change_nothing);
+  RUN_TEST(test_places_out_of_range_are_refused);
   RUN_TEST(test_limits_out_of_range_are_refused);
   RUN_TEST(test_a_grid_out_of_range_is_refused);
   RUN_TEST(test_more_regions_than_the_build_holds_are_refused);

@@ -29,14 +29,16 @@ static const char help[] =
     "      --regions            draw the borders of the map's regions\n"
     "      --region-size N --region-diameter D     cells of a region, and steps between any two (default 25, 15)\n"
     "      --spots              mark the places of each hiding spot alike, for inputs\n"
+    "      --region-likelihood W                   as in 'quarter learn'\n"
     "      --spot-size N --spot-diameter D --spot-likelihood W     as in 'quarter learn'\n"
     "      --json[=FILE]        what was drawn, in figures\n"
     "  -q, --quiet              say nothing\n"
     "\n"
     "Exit status: 0 done; 2 bad input, nothing written.\n";
 
-static const option_set set = {"draw", " output json quiet robots cell-size skip-unreachable regions region-size"
-                                       " region-diameter spots spot-size spot-diameter spot-likelihood "};
+static const option_set set = {"draw",
+                               " output json quiet robots cell-size skip-unreachable regions region-size"
+                               " region-diameter region-likelihood spots spot-size spot-diameter spot-likelihood "};
 
 #define LINES_MOST 8
 #define LINE_SIZE 96
@@ -179,7 +181,12 @@ static int from_table(sheet *s, const table *t, fault *why) {
 /* ---- regions and spots ---- */
 
 static int add_regions(sheet *s, const options *o, fault *why) {
-  const qtr_regions_config config = {(uint32_t)o->region_size, (uint32_t)o->region_diameter};
+  const qtr_regions_config config = {(uint32_t)o->region_size,
+                                     (uint32_t)o->region_diameter,
+                                     o->region_likelihood,
+                                     (uint16_t)s->d.places,
+                                     s->place,
+                                     s->likelihood};
   const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->cost};
   const size_t cells = (size_t)s->d.columns * s->d.rows;
   const int status = qtr_regions_build(&divided, &grid, &config, &dividing);

@@ -36,7 +36,9 @@ static const char help[] =
     "                           learns on until something else ends it)\n"
     "      --time-limit S       stop after this many seconds\n"
     "      --episodes N         stop after this many games\n"
-    "      --seed N             of random choices (default 1); the certified setting makes none\n"
+    "      --seed N             of random choices (default 1): how the paper setting explores, how local search on "
+    "the\n"
+    "                           first plans shakes; what is certified holds with every seed\n"
     "      --learner SETTING    certified (the default) or paper: Q from 0, exploring, as the paper learns\n"
     "      --explore PLAN       paper setting: KIND:FIRST:LAST:DECAY, KIND being uniform, epsilon or softmax; the "
     "rate\n"
@@ -49,6 +51,7 @@ static const char help[] =
     "      --spot-order ORDER   inside a spot: best (the default) or nearest first\n"
     "      --spot-likelihood W  0 (the default) or more: likely places keep away from unlikely ones\n"
     "      --region-size N --region-diameter D cells of a region, and steps between any two of them (default 25, 15)\n"
+    "      --region-likelihood W               as --spot-likelihood, for the places of a region\n"
     "      --region-times WHAT  representative (the default) or true: the paper's first, oscillating way, to show it\n"
     "      --starts any         one table for starts in any region of the map: seekers are put elsewhere at run time\n"
     "      --cleared any        one table for any set of places cleared beforehand: a mission resumed\n"
@@ -62,7 +65,7 @@ static const char help[] =
 static const option_set set = {"learn",
                                " output c curve json quiet robots objective rule gamma cell-size skip-unreachable gap"
                                " time-limit episodes seed learner explore alpha aggregate region-size region-diameter"
-                               " region-times"
+                               " region-likelihood region-times"
                                " spot-size spot-diameter spot-order spot-likelihood starts cleared table-limit "};
 
 static study learnt;

@@ -184,6 +184,10 @@ static int take_region_diameter(options *o, const char *name, const char *value,
   return take_int(&o->region_diameter, name, value, 1, QTR_MAX_REGION_DIAMETER, why);
 }
 
+static int take_region_likelihood(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->region_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
+}
+
 static int take_region_times(options *o, const char *name, const char *value, fault *why) {
   return take_word(&o->region_times, name, value, "representative", "true", why);
 }
@@ -376,6 +380,7 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"aggregate", required_argument, 0, take_aggregate},
                                   {"region-size", required_argument, 0, take_region_size},
                                   {"region-diameter", required_argument, 0, take_region_diameter},
+                                  {"region-likelihood", required_argument, 0, take_region_likelihood},
                                   {"region-times", required_argument, 0, take_region_times},
                                   {"spot-size", required_argument, 0, take_spot_size},
                                   {"spot-diameter", required_argument, 0, take_spot_diameter},

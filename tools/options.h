@@ -46,7 +46,7 @@ typedef struct {
   bool by_regions, by_spots;                      /* aggregation */
   int region_size, region_diameter, region_times; /* enum qtr_region_times */
   int spot_size, spot_diameter, spot_order;       /* enum qtr_spot_order */
-  double spot_likelihood;
+  double spot_likelihood, region_likelihood;
   bool any_starts, any_cleared;
   double table_limit;      /* megabytes */
   uint64_t budget_entries; /* 0: none */

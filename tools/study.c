@@ -3,8 +3,11 @@
 #include "quarter/status.h"
 
 int study_divide(study *s, const options *o, fault *why) {
-  const qtr_regions_config config = {(uint32_t)o->region_size, (uint32_t)o->region_diameter};
-  const qtr_grid grid = qtr_mission_grid(&s->p.in.mission);
+  const qtr_mission *mission = &s->p.in.mission;
+  const qtr_regions_config config = {(uint32_t)o->region_size, (uint32_t)o->region_diameter,
+                                     o->region_likelihood,     mission->places,
+                                     mission->place,           mission->weight};
+  const qtr_grid grid = qtr_mission_grid(mission);
   const int status = qtr_regions_build(&s->regions, &grid, &config, &s->regions_scratch);
   return status == QTR_OK ? 0 : fault_set(why, "%s: its regions: %s", o->input, qtr_strerror(status));
 }

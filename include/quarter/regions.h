@@ -18,9 +18,17 @@
 #include "quarter/nearby.h"
 #include "quarter/status.h"
 
+/* `likelihood` stretches the distance of two places that are not alike, as it does between the places of a spot: times
+ * 1 + likelihood * (P_max / P_min - 1). Two that are then further apart than the diameter are in different regions, so
+ * that a likely place is not taken for where an unlikely one lies. Stretching only ever keeps apart: limits, distances
+ * and representatives stay in true steps. */
 typedef struct {
   uint32_t max_size; /* cells of a region, 1..QTR_MAX_REGION_SIZE; with 1 every free cell is a region */
   uint32_t diameter; /* steps between two of its cells, 1..QTR_MAX_REGION_DIAMETER */
+  double likelihood; /* 0 or more, finite; 0: by the map alone, as in the paper, and what follows is not looked at */
+  uint16_t places;   /* 0..QTR_MAX_PLACES */
+  const qtr_cell *place; /* their cells */
+  const double *weight;  /* their likelihoods, above 0, in any unit */
 } qtr_regions_config;
 
 /* Large: keep it in static storage. Regions are numbered by their lowest cells. */
@@ -44,13 +52,14 @@ typedef struct {
   qtr_steps chosen_away[QTR_NEARBY_MOST]; /* and their distances from the representative there */
 } qtr_regions_scratch;
 
-/* The limits of the paper's example (Fig. 5.3): 25 cells, 15 steps. */
+/* The limits of the paper's example (Fig. 5.3): 25 cells, 15 steps; no places. */
 void qtr_regions_default(qtr_regions_config *config);
 
 /* Divide the free cells of a grid. Regions are grown greedily; then borders are straightened, and the cells of leftovers
  * given to their neighbours. Work and time are linear in the cells. The same input gives the same regions.
- * QTR_ERR_ARGUMENT: a limit or a side of the grid is 0; QTR_ERR_LIMIT: one is beyond what the build holds, or more than
- * QTR_MAX_REGIONS regions were grown. The regions are then of no use. */
+ * QTR_ERR_ARGUMENT: a limit or a side of the grid is 0, or the likelihood out of its range; QTR_ERR_LIMIT: a limit, the
+ * grid or the places are beyond what the build holds, or more than QTR_MAX_REGIONS regions were grown; QTR_ERR_PLACE,
+ * QTR_ERR_WEIGHT: a place lies outside the grid, a likelihood is not above 0. The regions are then of no use. */
 int qtr_regions_build(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
                       qtr_regions_scratch *scratch);
 

@@ -1,5 +1,6 @@
 #include "quarter/regions.h"
 
+#include <float.h>
 #include <stdbool.h>
 #include <string.h>
 
@@ -41,9 +42,36 @@ static void list_whole(const division *d, qtr_region region) {
   list_region(d, d->regions->representative[region], region, d->regions->size[region]);
 }
 
-/* The distances of the listed cells from `from`; true if none is beyond the diameter. */
+/* ---- distances ---- */
+
+/* Whether the map lets two places be of one region and their likelihoods do not. */
+static bool are_unlike(const qtr_regions_config *config, unsigned p, unsigned q, qtr_steps away) {
+  const double a = config->weight[p];
+  const double b = config->weight[q];
+  return away * (1.0 + config->likelihood * ((a > b ? a / b : b / a) - 1.0)) > config->diameter;
+}
+
+/* Let the listed places that are unlike this one be too far from it; true if there are none. */
+static bool keep_apart(const division *d, unsigned place) {
+  qtr_nearby *nearby = d->nearby;
+  bool alike = true;
+  for (unsigned q = 0; q < d->config->places; q++) {
+    const unsigned slot = nearby->slot[d->config->place[q]];
+    if (slot == 0 || nearby->away[slot - 1] == QTR_NEVER) continue;
+    if (!are_unlike(d->config, place, q, nearby->away[slot - 1])) continue;
+    nearby->away[slot - 1] = QTR_NEVER;
+    alike = false;
+  }
+  return alike;
+}
+
+/* The distances of the listed cells from `from`; true if none may not be of its region. */
 static bool measure(const division *d, qtr_cell from) {
-  return qtr_nearby_measure(d->nearby, from, d->config->diameter);
+  bool near = qtr_nearby_measure(d->nearby, from, d->config->diameter);
+  if (!(d->config->likelihood > 0.0)) return near;
+  for (unsigned p = 0; p < d->config->places; p++)
+    if (d->config->place[p] == from && !keep_apart(d, p)) near = false;
+  return near;
 }
 
 /* ---- representatives ---- */
@@ -431,14 +459,25 @@ static int check(const qtr_grid *grid, const qtr_regions_config *config) {
   return QTR_OK;
 }
 
+static int check_places(const qtr_grid *grid, const qtr_regions_config *config) {
+  if (!(config->likelihood >= 0.0 && config->likelihood <= DBL_MAX)) return QTR_ERR_ARGUMENT;
+  if (!(config->likelihood > 0.0)) return QTR_OK;
+  if (config->places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
+  for (unsigned p = 0; p < config->places; p++) {
+    if (config->place[p] >= (uint32_t)grid->columns * grid->rows) return QTR_ERR_PLACE;
+    if (!(config->weight[p] > 0.0 && config->weight[p] <= DBL_MAX)) return QTR_ERR_WEIGHT;
+  }
+  return QTR_OK;
+}
+
 void qtr_regions_default(qtr_regions_config *config) {
-  config->max_size = 25;
-  config->diameter = 15;
+  *config = (qtr_regions_config){.max_size = 25, .diameter = 15};
 }
 
 int qtr_regions_build(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
                       qtr_regions_scratch *scratch) {
   int status = check(grid, config);
+  if (status == QTR_OK) status = check_places(grid, config);
   if (status != QTR_OK) return status;
   const division d = {regions, config, scratch, &scratch->nearby, (uint32_t)grid->columns * grid->rows};
   qtr_nearby_init(&scratch->nearby, grid);
