@@ -123,6 +123,7 @@ static void make_rest(const builder *b, const qtr_cell *starts, uint64_t cleared
   const qtr_mission *whole = &b->s->p.in.mission;
   qtr_mission *rest = &alone.p.in.mission;
   rest->places = 0;
+  rest->objective = whole->objective;
   for (uint16_t place = 0; place < whole->places; place++) {
     if ((cleared >> place & 1u) != 0) continue;
     number[rest->places] = place;
@@ -132,12 +133,21 @@ static void make_rest(const builder *b, const qtr_cell *starts, uint64_t cleared
   memcpy(rest->start, starts, whole->seekers * sizeof *starts);
 }
 
+/* From starts, or with places left, that are so far apart that discounting tells nothing any more, expected time does. */
+static int set_up_rest(void) {
+  problem *p = &alone.p;
+  const int status = qtr_game_init(&p->game, &p->in.mission, &p->field, NULL);
+  if (status != QTR_ERR_DISCOUNT) return status;
+  p->in.mission.objective = QTR_TIME;
+  return qtr_game_init(&p->game, &p->in.mission, &p->field, NULL);
+}
+
 /* Learn it. False: some place is out of everybody's reach. */
 static bool learn_rest(const builder *b, fault *why) {
   options o = *b->o;
   o.by_regions = o.by_spots = false;
   o.setting = QTR_SETTING_CERTIFIED;
-  if (qtr_game_init(&alone.p.game, &alone.p.in.mission, &alone.p.field, NULL) != QTR_OK) return false;
+  if (set_up_rest() != QTR_OK) return false;
   if (study_begin(&alone, &o, why) != 0) return false;
   for (int steps = 0; steps < 2000 && qtr_learner_step(&alone.learner) == QTR_LEARNING; steps++) {}
   return true;

@@ -54,6 +54,7 @@ static void fill_report(report *r, const exact_solution *solution, const qtr_mis
   c->objective = mission->objective == QTR_TIME ? c->expected_time : c->value;
   c->bound = c->objective;
   c->certified = true;
+  c->negligible_places = (uint16_t)solution->negligible;
   for (int seeker = 0; seeker < mission->seekers; seeker++) {
     table_route *route = &r->route[seeker];
     route->places = solution->length[seeker];

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "exact_parts.h"
+#include "quarter/learner.h"
 
 qtr_steps exact_steps(const exact_problem *problem, int node, int place) {
   int row = problem->seekers + node;
@@ -84,6 +85,19 @@ static void evaluate(exact_solution *solution, const exact_problem *problem) {
   }
 }
 
+static void count_negligible(exact_solution *solution, const exact_problem *problem) {
+  const double objective = problem->discounted ? solution->value : solution->expected_time;
+  for (int i = 0; i < problem->seekers; i++) {
+    for (int v = 0; v < solution->length[i]; v++) {
+      const int place = solution->route[i][v];
+      const double steps = fmax(1, solution->step[i][v]);
+      const double part =
+          problem->discounted ? exact_reward(problem, place, solution->step[i][v]) : problem->share[place] * steps;
+      solution->negligible += part < QTR_NEGLIGIBLE * objective;
+    }
+  }
+}
+
 int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_steps *steps, fault *why) {
   exact_problem problem = {.places = mission->places,
                            .seekers = mission->seekers,
@@ -97,6 +111,8 @@ int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_
   /* One seeker has nobody to give way to: both rules are the same game. */
   const bool paper = mission->rule == QTR_RULE_PAPER && problem.seekers > 1;
   const int status = paper ? exact_solve_paper(solution, &problem, why) : exact_solve_free(solution, &problem, why);
-  if (status == 0) evaluate(solution, &problem);
-  return status;
+  if (status != 0) return status;
+  evaluate(solution, &problem);
+  count_negligible(solution, &problem);
+  return 0;
 }

@@ -1,5 +1,6 @@
 #include "problem.h"
 
+#include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -68,6 +69,27 @@ static int handle_unreachable(problem *p, const options *o, fault *why) {
   return 0;
 }
 
+/* The gamma that leaves a share of e^-10 after so many steps, rounded up to the digits that tell it from 1. */
+static double mild_gamma(qtr_steps steps) {
+  const double unit = pow(10.0, floor(log10(10.0 / (double)steps)));
+  return steps > 20 ? 1.0 - floor(10.0 / (double)steps / unit) * unit : 0.6;
+}
+
+static int fault_discount(const problem *p, int place, const options *o, fault *why) {
+  const qtr_board *board = &p->game.board;
+  qtr_steps nearest = QTR_NEVER;
+  char name[300];
+  for (unsigned start = 0; start < board->starts; start++) {
+    const qtr_steps steps = qtr_board_steps(board, (unsigned)board->places + start, (unsigned)place);
+    if (steps < nearest) nearest = steps;
+  }
+  input_place_name(&p->in, place, name, sizeof name);
+  return fault_set(why,
+                   "%s: gamma %g leaves nothing to tell plans apart by: even the nearest place, %s, is %" PRIu32
+                   " steps away; take a gamma nearer 1, such as %g, or --objective time",
+                   o->input, p->in.mission.gamma, name, nearest, mild_gamma(nearest));
+}
+
 int problem_read(problem *p, const options *o, fault *why) {
   const input_options reading = {o->cell_size, o->robots};
   if (input_read(&p->in, o->input, &reading, why) != 0) return -1;
@@ -82,6 +104,7 @@ int problem_read(problem *p, const options *o, fault *why) {
     status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
   }
   p->travel_seconds = clock_seconds() - begin;
+  if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, o, why);
   return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));
 }
 

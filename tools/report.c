@@ -1,6 +1,7 @@
 #include "report.h"
 
 #include <inttypes.h>
+#include <math.h>
 
 #include "count.h"
 #include "json.h"
@@ -29,6 +30,7 @@ static void write_certificate(json *j, const qtr_certificate *c) {
   json_number(j, "objective_bound", c->bound);
   json_number(j, "gap", c->gap);
   json_bool(j, "certified", c->certified);
+  json_integer(j, "negligible_places", c->negligible_places);
 }
 
 static void write_json(FILE *out, const void *what) {
@@ -88,10 +90,10 @@ void report_routes(FILE *out, const table_route *route, int seekers) {
 
 static void write_verdict(FILE *out, const report *r) {
   const qtr_certificate *c = &r->certificate;
-  if (c->certified && c->gap < 1e-9)
+  if (c->certified && c->gap < QTR_NEGLIGIBLE && c->negligible_places == 0)
     fprintf(out, "certified optimal");
   else if (c->certified)
-    fprintf(out, "certified: within %.2g%% of the optimum", 100.0 * c->gap);
+    fprintf(out, "certified: within %.2g%% of the optimum", 100.0 * fmax(c->gap, QTR_NEGLIGIBLE));
   else
     fprintf(out, "not certified: at most %.3g%% from the optimum when it ended (%s)", 100.0 * c->gap, r->ended);
   if (r->p->in.mission.objective == QTR_TIME)
@@ -102,12 +104,24 @@ static void write_verdict(FILE *out, const report *r) {
             measured(c->expected_time, "step").text);
 }
 
+/* What the certificate does not cover, for it is lost in the sum. */
+static void write_negligible(FILE *out, const report *r) {
+  const int places = r->certificate.negligible_places;
+  const bool time = r->p->in.mission.objective == QTR_TIME;
+  if (places == 0) return;
+  fprintf(out, "%d of %d places %s up less than %g of it each, and nothing is certified of their order: ", places,
+          r->p->in.mission.places, places == 1 ? "makes" : "make", QTR_NEGLIGIBLE);
+  fprintf(out, time ? "their weights are too small beside the others'\n"
+                    : "--objective time, or a gamma nearer 1, covers them\n");
+}
+
 static void write_text(FILE *out, const void *what) {
   const report *r = what;
   const qtr_mission *mission = &r->p->in.mission;
   fprintf(out, "%s: %s, %s, %s\n", r->o->input, counted(problem_free_cells(r->p), "free cell").text,
           counted(mission->places, "place").text, counted(mission->seekers, "robot").text);
   write_verdict(out, r);
+  write_negligible(out, r);
   if (r->q_bytes > 0 || r->certificate.episodes > 0)
     fprintf(out, "%s, %s, %s (%s), %.3g s\n", counted(r->certificate.episodes, "episode").text,
             counted(r->certificate.updates, "update").text, counted(r->q_entries, "Q entry").text,

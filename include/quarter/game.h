@@ -17,6 +17,10 @@
 #define QTR_MAX_NODES (QTR_MAX_PLACES + QTR_MAX_SEEKERS)
 #define QTR_GAME_POWERS 4096 /* powers of gamma kept ready; later ones are computed */
 
+/* Under discounting a game is refused whose nearest place has less than this left of it when it is reached: the floats of
+ * the Q-table end at 1e-38, and what they cannot tell from nothing must not be called equal. */
+#define QTR_GAME_LEAST_POWER 1e-28
+
 /* Large: keep it in static storage. */
 typedef struct {
   const qtr_mission *mission;
@@ -41,7 +45,8 @@ typedef struct {
 } qtr_outcome;
 
 /* Solve the elemental tasks of a checked mission and set the game up. `field` is scratch. The mission must outlive the
- * game. QTR_OK, QTR_ERR_LIMIT, or QTR_ERR_UNREACHABLE with the first such place in `*culprit` (may be NULL). */
+ * game. QTR_OK, QTR_ERR_LIMIT, QTR_ERR_UNREACHABLE with the first such place in `*culprit` (may be NULL), or
+ * QTR_ERR_DISCOUNT with the nearest place in it. */
 int qtr_game_init(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit);
 
 /* Whether any seeker can reach a place. */
@@ -72,5 +77,9 @@ typedef struct {
 
 /* Score a game given each place's step of first visit. */
 void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *score);
+
+/* Whether a game is worth more than another, or as much and takes less expected time: what is discounted away counts for
+ * nothing in a sum, but it still has to be searched. */
+bool qtr_score_is_better(const qtr_score *score, const qtr_score *than);
 
 #endif

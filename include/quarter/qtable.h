@@ -1,4 +1,4 @@
-/* The compact Q-table: exact keys, a float each, in one fixed array.
+/* The compact Q-table: exact keys, a float each (or a double, where asked for), in one fixed array.
  *
  * An entry is Q(s, a), stored under the joint state that the choice leads to before time passes. Two pairs (s, a) that
  * lead to the same such state have the same value and share the entry. A hash picks the slot, the stored key decides.
@@ -20,21 +20,28 @@ typedef struct {
   uint32_t slots_limit; /* that the array holds */
   uint32_t refused;     /* entries that a full table did not take */
   uint8_t entry_words;  /* key and value */
+  uint8_t value_words;  /* 1: floats, 2: doubles */
   uint8_t key_words;    /* of the board's keys; the stored key may take one more, for its tag */
   uint32_t tag;         /* of the entries in their right slots, in the top bits of a stored key */
   uint32_t word[QTR_QTABLE_WORDS];
 } qtr_qtable;
 
-/* Empty the table for the keys of a board. */
-void qtr_qtable_init(qtr_qtable *table, const qtr_board *board);
+/* Empty the table for the keys of a board. `precise`: doubles for values, at 4 bytes more an entry. */
+void qtr_qtable_init(qtr_qtable *table, const qtr_board *board, bool precise);
 
 /* Bytes that an entry takes, key and value. */
 uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table);
 
 /* Look an entry up. False if there is none. */
-bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, float *value);
+bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, double *value);
 
-/* Set an entry, new or old. False, and counted in `refused`, if it is new and the table is full. */
-bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, float value);
+/* The value that an entry takes which is nearest to `value`, and the least one that is not below it: a bound must stay
+ * one when it is stored. */
+double qtr_qtable_nearest(const qtr_qtable *table, double value);
+double qtr_qtable_round_up(const qtr_qtable *table, double value);
+
+/* Set an entry, new or old, to the nearest value that it takes. False, and counted in `refused`, if it is new and the
+ * table is full. */
+bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value);
 
 #endif

@@ -13,10 +13,17 @@
 #include "quarter/config.h"
 #include "quarter/game.h"
 
+/* What a route brings. Of two that are worth the same as far as a sum can tell, because what they differ in is discounted
+ * away, the one with less expected time is better. */
+typedef struct {
+  double worth; /* under the mission's objective; -HUGE_VAL if a place on it cannot be reached */
+  double time;  /* its share of the expected time, steps */
+} qtr_route_score;
+
 typedef struct {
   uint16_t length[QTR_MAX_SEEKERS];
   uint16_t place[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
-  double worth[QTR_MAX_SEEKERS];                   /* of each route, under the mission's objective */
+  qtr_route_score score[QTR_MAX_SEEKERS];
 } qtr_routes;
 
 /* Caller's memory for the search. */
@@ -27,10 +34,10 @@ typedef struct {
   uint64_t random;
 } qtr_refinery;
 
-/* The worth of one seeker's route: -HUGE_VAL if a place on it cannot be reached. */
-double qtr_route_worth(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length);
+/* What one seeker's route brings. */
+qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length);
 
-/* Improve `routes` (their worths need not be set), with `rounds` of shaking; `seed` decides how they shake. */
+/* Improve `routes` (their scores need not be set), with `rounds` of shaking; `seed` decides how they shake. */
 void qtr_refine(qtr_refinery *refinery, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed);
 
 #endif

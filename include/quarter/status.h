@@ -9,22 +9,23 @@
 
 enum {
   QTR_OK = 0,
-  QTR_ERR_CONFIG = -1,      /* built under other array sizes than the caller (quarter/config.h) */
-  QTR_ERR_ARGUMENT = -2,    /* an argument out of its range */
-  QTR_ERR_LIMIT = -3,       /* more cells, places, seekers or travel time than this build holds */
-  QTR_ERR_SPACE = -4,       /* the output buffer is too small */
-  QTR_ERR_TRUNCATED = -5,   /* table: fewer bytes than its header says */
-  QTR_ERR_MAGIC = -6,       /* table: not a Quarter policy table */
-  QTR_ERR_FORMAT = -7,      /* table: a format version that this build does not read */
-  QTR_ERR_CHECKSUM = -8,    /* table: the CRC does not match */
-  QTR_ERR_CORRUPT = -9,     /* table: an offset, index or value out of its range */
-  QTR_ERR_SELFTEST = -10,   /* table: this build plays the game otherwise than the one that wrote it */
-  QTR_ERR_NO_START = -11,   /* mission: no seeker */
-  QTR_ERR_NO_PLACE = -12,   /* mission: no place */
-  QTR_ERR_START = -13,      /* mission: a start off the map or on an obstacle */
-  QTR_ERR_PLACE = -14,      /* mission: a place off the map, on an obstacle, or twice on one cell */
-  QTR_ERR_WEIGHT = -15,     /* mission: a weight that is not a finite number above 0 */
-  QTR_ERR_UNREACHABLE = -16 /* mission: a place that no seeker can reach */
+  QTR_ERR_CONFIG = -1,       /* built under other array sizes than the caller (quarter/config.h) */
+  QTR_ERR_ARGUMENT = -2,     /* an argument out of its range */
+  QTR_ERR_LIMIT = -3,        /* more cells, places, seekers or travel time than this build holds */
+  QTR_ERR_SPACE = -4,        /* the output buffer is too small */
+  QTR_ERR_TRUNCATED = -5,    /* table: fewer bytes than its header says */
+  QTR_ERR_MAGIC = -6,        /* table: not a Quarter policy table */
+  QTR_ERR_FORMAT = -7,       /* table: a format version that this build does not read */
+  QTR_ERR_CHECKSUM = -8,     /* table: the CRC does not match */
+  QTR_ERR_CORRUPT = -9,      /* table: an offset, index or value out of its range */
+  QTR_ERR_SELFTEST = -10,    /* table: this build plays the game otherwise than the one that wrote it */
+  QTR_ERR_NO_START = -11,    /* mission: no seeker */
+  QTR_ERR_NO_PLACE = -12,    /* mission: no place */
+  QTR_ERR_START = -13,       /* mission: a start off the map or on an obstacle */
+  QTR_ERR_PLACE = -14,       /* mission: a place off the map, on an obstacle, or twice on one cell */
+  QTR_ERR_WEIGHT = -15,      /* mission: a weight that is not a finite number above 0 */
+  QTR_ERR_UNREACHABLE = -16, /* mission: a place that no seeker can reach */
+  QTR_ERR_DISCOUNT = -17     /* mission: gamma leaves next to nothing of even the nearest place (quarter/game.h) */
 };
 
 /* One line of English for a status, never NULL; static storage. */

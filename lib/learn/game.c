@@ -53,6 +53,31 @@ bool qtr_game_reachable(const qtr_game *game, unsigned place) {
   return false;
 }
 
+/* The place that a seeker can be at first. */
+static unsigned nearest_place(const qtr_game *game, qtr_steps *steps) {
+  unsigned nearest = 0;
+  *steps = QTR_NEVER;
+  for (unsigned start = 0; start < game->board.starts; start++) {
+    for (unsigned place = 0; place < game->board.places; place++) {
+      const qtr_steps way = qtr_board_steps(&game->board, (unsigned)game->board.places + start, place);
+      if (way >= *steps) continue;
+      *steps = way;
+      nearest = place;
+    }
+  }
+  return nearest;
+}
+
+/* Whether a discounted game has anything left that can be told from nothing. */
+static int check_discount(const qtr_game *game, int *culprit) {
+  qtr_steps steps;
+  const unsigned nearest = nearest_place(game, &steps);
+  if (game->mission->objective == QTR_TIME || steps == 0) return QTR_OK;
+  if (qtr_game_power(game, steps - 1) >= QTR_GAME_LEAST_POWER) return QTR_OK;
+  if (culprit != NULL) *culprit = (int)nearest;
+  return QTR_ERR_DISCOUNT;
+}
+
 int qtr_game_init(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit) {
   game->mission = mission;
   game->board.places = mission->places;
@@ -68,7 +93,8 @@ int qtr_game_init(qtr_game *game, const qtr_mission *mission, qtr_field *field, 
     if (culprit != NULL) *culprit = (int)place;
     return QTR_ERR_UNREACHABLE;
   }
-  return qtr_board_init(&game->board);
+  const int status = check_discount(game, culprit);
+  return status == QTR_OK ? qtr_board_init(&game->board) : status;
 }
 
 /* ---- rewards ---- */
@@ -101,6 +127,11 @@ void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *sco
     score->expected_time += game->probability[place] * (double)visit[place];
   }
   score->worth = game->mission->objective == QTR_TIME ? -score->expected_time : score->value;
+}
+
+bool qtr_score_is_better(const qtr_score *score, const qtr_score *than) {
+  if (score->worth != than->worth) return score->worth > than->worth;
+  return score->expected_time < than->expected_time;
 }
 
 /* ---- play ---- */

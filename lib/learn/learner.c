@@ -35,9 +35,9 @@ static double initial_value(const qtr_learner *learner, const qtr_situation *aft
 /* In the certified setting the bound may be tighter than an entry that was made at another step of the clock. */
 static double entry_value(const qtr_learner *learner, const qtr_situation *after, const qtr_key *key) {
   const double initial = initial_value(learner, after);
-  float stored;
+  double stored;
   if (!qtr_qtable_get(&learner->table, key, &stored)) return initial;
-  return is_paper(learner) || (double)stored < initial ? (double)stored : initial;
+  return is_paper(learner) || stored < initial ? stored : initial;
 }
 
 static void add_candidate(qtr_learner *learner, const qtr_situation *state, int seeker, uint16_t choice) {
@@ -124,24 +124,18 @@ static void keep_if_best(qtr_learner *learner) {
     play_on_ground(learner);
   else
     qtr_play_score(&learner->play, learner->game);
-  if (learner->play.score.worth > learner->best.score.worth) learner->best = learner->play;
+  if (qtr_score_is_better(&learner->play.score, &learner->best.score)) learner->best = learner->play;
 }
 
 /* ---- the certified setting: greedy, backed up from the end to the start ---- */
-
-/* Rounded up, so that a float bounds what its double bounds. */
-static float round_up(double value) {
-  const float rounded = (float)value;
-  return (double)rounded < value ? nextafterf(rounded, HUGE_VALF) : rounded;
-}
 
 /* Q(s,a) <- min(Q(s,a), backup); `value` is the largest Q of the state where the episode ended. Returns the largest Q of
  * the first state. */
 static double back_up_all(qtr_learner *learner, double value) {
   for (unsigned i = learner->play.choices; i-- > 0;) {
     const qtr_trace *trace = &learner->trace[i];
-    const float backup = round_up(backup_of(trace, value));
-    double q = trace->at_once + (double)backup;
+    const double backup = qtr_qtable_round_up(&learner->table, backup_of(trace, value));
+    double q = trace->at_once + backup;
     if (q < trace->q && qtr_qtable_set(&learner->table, &trace->key, backup))
       learner->updates++;
     else
@@ -153,7 +147,8 @@ static double back_up_all(qtr_learner *learner, double value) {
 
 /* The best game's worth and a share of the gap asked for. */
 static double within_gap(const qtr_learner *learner, double share) {
-  return learner->best.score.worth + share * learner->config.gap * fabs(learner->best.score.worth);
+  const double gap = learner->config.gap > QTR_LEAST_GAP ? learner->config.gap : QTR_LEAST_GAP;
+  return learner->best.score.worth + share * gap * fabs(learner->best.score.worth);
 }
 
 static bool is_certified(const qtr_learner *learner) {
@@ -198,8 +193,9 @@ static void back_up_last(qtr_learner *learner, double value) {
   const qtr_trace *trace = &learner->trace[learner->play.choices - 1];
   const double before = trace->q - trace->at_once;
   const double after = before + learner->config.alpha * (backup_of(trace, value) - before);
-  if ((float)after == (float)before && before != 0.0) return;
-  if (qtr_qtable_set(&learner->table, &trace->key, (float)after)) learner->updates++;
+  if (qtr_qtable_nearest(&learner->table, after) == qtr_qtable_nearest(&learner->table, before) && before != 0.0)
+    return;
+  if (qtr_qtable_set(&learner->table, &trace->key, after)) learner->updates++;
 }
 
 static void run_exploring_episode(qtr_learner *learner) {
@@ -243,7 +239,7 @@ static void refine_best(qtr_learner *learner, unsigned rounds) {
   qtr_play_to_routes(&learner->best, learner->game, &learner->routes);
   qtr_refine(&learner->refinery, &learner->routes, learner->game, rounds, learner->config.seed + learner->episodes);
   qtr_play_routes(&learner->play, learner->game, &learner->routes);
-  if (learner->play.score.worth > learner->best.score.worth) learner->best = learner->play;
+  if (qtr_score_is_better(&learner->play.score, &learner->best.score)) learner->best = learner->play;
 }
 
 /* ---- set-up and steps ---- */
@@ -306,7 +302,7 @@ int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, 
   learner->pricing = true;
   learner->aggregate_priced = !is_aggregate(learner) || is_paper(learner);
   play_first(learner);
-  qtr_qtable_init(&learner->table, &learner->environment->key_board);
+  qtr_qtable_init(&learner->table, &learner->environment->key_board, !is_paper(learner) && config->gap < QTR_FLOAT_GAP);
   qtr_bound_init(&learner->bound, ground, learner->best.visit);
   learner->upper = learner->bound.upper;
   learner->ground_upper = learner->upper;
@@ -373,6 +369,16 @@ enum qtr_learning qtr_learner_step(qtr_learner *learner) {
   return verdict(learner) != QTR_LEARNING ? verdict(learner) : step_certified(learner);
 }
 
+/* Places that count for next to nothing: discounted away, or hardly likely. */
+static uint16_t count_negligible(const qtr_learner *learner) {
+  const qtr_play *best = &learner->best;
+  const double least = QTR_NEGLIGIBLE * fabs(best->score.worth);
+  uint16_t count = 0;
+  for (unsigned place = 0; place < learner->game->board.places; place++)
+    if (fabs(qtr_game_worth(learner->game, place, best->visit[place] > 0 ? best->visit[place] : 1)) < least) count++;
+  return count;
+}
+
 void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certificate) {
   const qtr_score *score = &learner->best.score;
   const double worth = learner->game->mission->objective == QTR_TIME ? -score->expected_time : score->value;
@@ -384,6 +390,7 @@ void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certif
   certificate->bound = time ? -upper : upper;
   certificate->gap = upper > worth ? (upper - worth) / fabs(worth) : 0.0;
   certificate->certified = is_certified(learner);
+  certificate->negligible_places = count_negligible(learner);
   certificate->episodes = learner->episodes;
   certificate->updates = learner->updates;
   certificate->max_q = is_paper(learner) ? learner->max_q : learner->upper;

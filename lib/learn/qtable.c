@@ -1,5 +1,6 @@
 #include "quarter/qtable.h"
 
+#include <math.h>
 #include <string.h>
 
 #define TAG_BITS 2
@@ -7,7 +8,8 @@
 #define TAG_FIRST 0x40000000u
 #define TAG_OTHER 0x80000000u
 #define FIRST_SLOTS 1024u
-#define ENTRY_WORDS_MAX (QTR_KEY_WORDS + 2)
+#define VALUE_WORDS_MAX 2
+#define ENTRY_WORDS_MAX (QTR_KEY_WORDS + 1 + VALUE_WORDS_MAX)
 
 /* A stored key and its value, as they lie in a slot. */
 typedef struct {
@@ -15,7 +17,7 @@ typedef struct {
 } entry;
 
 static unsigned stored_words(const qtr_qtable *table) {
-  return table->entry_words - 1u;
+  return (unsigned)table->entry_words - table->value_words;
 }
 
 static uint32_t slot_tag(const qtr_qtable *table, const uint32_t *slot) {
@@ -30,11 +32,34 @@ static const uint32_t *slot_read(const qtr_qtable *table, uint32_t slot) {
   return table->word + (size_t)slot * table->entry_words;
 }
 
-static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key, float value) {
+static bool is_precise(const qtr_qtable *table) {
+  return table->value_words == VALUE_WORDS_MAX;
+}
+
+static double load_value(const qtr_qtable *table, const uint32_t *slot) {
+  double value;
+  float single;
+  if (is_precise(table)) {
+    memcpy(&value, &slot[stored_words(table)], sizeof value);
+    return value;
+  }
+  memcpy(&single, &slot[stored_words(table)], sizeof single);
+  return (double)single;
+}
+
+static void store_value(const qtr_qtable *table, entry *made, double value) {
+  const float single = (float)value;
+  if (is_precise(table))
+    memcpy(&made->word[stored_words(table)], &value, sizeof value);
+  else
+    memcpy(&made->word[stored_words(table)], &single, sizeof single);
+}
+
+static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key, double value) {
   memcpy(made->word, key->word, table->key_words * sizeof(uint32_t));
   if (stored_words(table) > table->key_words) made->word[table->key_words] = 0;
   made->word[stored_words(table) - 1] |= table->tag;
-  memcpy(&made->word[stored_words(table)], &value, sizeof value);
+  store_value(table, made, value);
 }
 
 /* Murmur3's mixing, on the key without its tag. */
@@ -61,9 +86,10 @@ static uint32_t after(const qtr_qtable *table, uint32_t slot) {
   return slot + 1 < table->slots ? slot + 1 : 0;
 }
 
-void qtr_qtable_init(qtr_qtable *table, const qtr_board *board) {
+void qtr_qtable_init(qtr_qtable *table, const qtr_board *board, bool precise) {
   table->key_words = board->key_words;
-  table->entry_words = (uint8_t)((board->key_bits + TAG_BITS + 31) / 32 + 1);
+  table->value_words = precise ? VALUE_WORDS_MAX : 1;
+  table->entry_words = (uint8_t)((board->key_bits + TAG_BITS + 31) / 32 + table->value_words);
   table->entries = 0;
   table->refused = 0;
   table->slots_limit = (uint32_t)(QTR_QTABLE_WORDS / table->entry_words);
@@ -115,16 +141,26 @@ static void grow(qtr_qtable *table) {
   }
 }
 
-bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, float *value) {
+bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, double *value) {
   entry sought;
-  make_entry(table, &sought, key, 0.0f);
+  make_entry(table, &sought, key, 0.0);
   const uint32_t *slot = slot_read(table, find_slot(table, &sought));
   if (slot_tag(table, slot) == 0) return false;
-  memcpy(value, &slot[stored_words(table)], sizeof *value);
+  *value = load_value(table, slot);
   return true;
 }
 
-bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, float value) {
+double qtr_qtable_nearest(const qtr_qtable *table, double value) {
+  return is_precise(table) ? value : (double)(float)value;
+}
+
+double qtr_qtable_round_up(const qtr_qtable *table, double value) {
+  if (is_precise(table)) return value;
+  const float rounded = (float)value;
+  return (double)((double)rounded < value ? nextafterf(rounded, HUGE_VALF) : rounded);
+}
+
+bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
   entry made;
   make_entry(table, &made, key, value);
   uint32_t slot = find_slot(table, &made);

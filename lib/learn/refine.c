@@ -5,31 +5,48 @@
 
 #define SEGMENT_MOST 3 /* places that are moved together */
 #define WORTHLESS (-1e300)
-#define SHAKES_MOST 3 /* random moves in a round */
+#define ROUNDING 1e-12 /* relative: more than adding up a route is wrong by */
+#define SHAKES_MOST 3  /* random moves in a round */
 
-double qtr_route_worth(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length) {
+qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length) {
   unsigned node = (unsigned)game->board.places + game->board.start_of[seeker];
-  double worth = 0.0;
+  qtr_route_score score = {0.0, 0.0};
   qtr_steps now = 0;
   for (unsigned i = 0; i < length; i++) {
     const qtr_steps steps = qtr_board_steps(&game->board, node, places[i]);
-    if (steps == QTR_NEVER) return -HUGE_VAL;
+    if (steps == QTR_NEVER) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
     now += steps;
-    worth += qtr_game_worth(game, places[i], now);
+    score.worth += qtr_game_worth(game, places[i], now);
+    score.time += game->probability[places[i]] * (double)now;
     node = places[i];
   }
-  return worth;
+  return score;
 }
 
-/* Better by more than rounding, so that the search ends. */
-static bool is_better(double after, double before) {
-  return after > before + 1e-12 * (fabs(before) + 1.0);
+static qtr_route_score sum_of(qtr_route_score a, qtr_route_score b) {
+  return (qtr_route_score){a.worth + b.worth, a.time + b.time};
 }
 
-static void set_route(qtr_routes *routes, unsigned seeker, const uint16_t *places, unsigned length, double worth) {
+/* By more than rounding. */
+static bool is_worth_more(qtr_route_score after, qtr_route_score before) {
+  return after.worth > before.worth + ROUNDING * fabs(before.worth);
+}
+
+static bool is_sooner(qtr_route_score after, qtr_route_score before) {
+  return after.time < before.time - ROUNDING * before.time;
+}
+
+/* Worth more or else, at no loss of worth, sooner. The sum of the routes' worths never falls, and where it stays the sum
+ * of their times falls: no series of changes comes back to where it was, so the search ends. */
+static bool is_better(qtr_route_score after, qtr_route_score before) {
+  return is_worth_more(after, before) || (after.worth >= before.worth && is_sooner(after, before));
+}
+
+static void set_route(qtr_routes *routes, unsigned seeker, const uint16_t *places, unsigned length,
+                      qtr_route_score score) {
   memcpy(routes->place[seeker], places, length * sizeof *places);
   routes->length[seeker] = (uint16_t)length;
-  routes->worth[seeker] = worth;
+  routes->score[seeker] = score;
 }
 
 /* ---- moves: each is tried in the refinery's scratch and kept if it betters the sum ---- */
@@ -45,19 +62,23 @@ static unsigned append_reversed(uint16_t *route, unsigned length, const uint16_t
 }
 
 static bool keep_one(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker, unsigned length) {
-  const double worth = qtr_route_worth(game, seeker, r->a, length);
-  if (!is_better(worth, routes->worth[seeker])) return false;
-  set_route(routes, seeker, r->a, length, worth);
+  const qtr_route_score score = qtr_route_evaluate(game, seeker, r->a, length);
+  if (!is_better(score, routes->score[seeker])) return false;
+  set_route(routes, seeker, r->a, length, score);
   return true;
 }
 
 static bool keep_two(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned first_length,
                      unsigned second, unsigned second_length) {
-  const double first_worth = qtr_route_worth(game, first, r->a, first_length);
-  const double second_worth = qtr_route_worth(game, second, r->b, second_length);
-  if (!is_better(first_worth + second_worth, routes->worth[first] + routes->worth[second])) return false;
-  set_route(routes, first, r->a, first_length, first_worth);
-  set_route(routes, second, r->b, second_length, second_worth);
+  const qtr_route_score one = qtr_route_evaluate(game, first, r->a, first_length);
+  const qtr_route_score other = qtr_route_evaluate(game, second, r->b, second_length);
+  const qtr_route_score before = sum_of(routes->score[first], routes->score[second]);
+  /* Neither route may lose, for what one loses may be too little for the sum to show. */
+  const bool none_loses = one.worth >= routes->score[first].worth && other.worth >= routes->score[second].worth;
+  if (!is_worth_more(sum_of(one, other), before) && !(none_loses && is_sooner(sum_of(one, other), before)))
+    return false;
+  set_route(routes, first, r->a, first_length, one);
+  set_route(routes, second, r->b, second_length, other);
   return true;
 }
 
@@ -175,36 +196,36 @@ static void shake(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
   const unsigned from = draw(r, length);
   const unsigned most = length - from < SEGMENT_MOST ? length - from : SEGMENT_MOST;
   const unsigned count = 1 + draw(r, most);
-  routes->worth[first] = WORTHLESS;
+  routes->score[first].worth = WORTHLESS;
   if (first == second) {
     try_shift(r, routes, game, first, from, count, draw(r, length - count + 1));
   } else {
     try_exchange(r, routes, game, first, from, count, second, draw(r, routes->length[second] + 1u), 0);
   }
-  routes->worth[first] = qtr_route_worth(game, first, routes->place[first], routes->length[first]);
+  routes->score[first] = qtr_route_evaluate(game, first, routes->place[first], routes->length[first]);
 }
 
-static double sum_worth(qtr_routes *routes, const qtr_game *game) {
-  double sum = 0.0;
+static qtr_route_score evaluate_all(qtr_routes *routes, const qtr_game *game) {
+  qtr_route_score sum = {0.0, 0.0};
   for (unsigned seeker = 0; seeker < game->board.seekers; seeker++) {
-    routes->worth[seeker] = qtr_route_worth(game, seeker, routes->place[seeker], routes->length[seeker]);
-    sum += routes->worth[seeker];
+    routes->score[seeker] = qtr_route_evaluate(game, seeker, routes->place[seeker], routes->length[seeker]);
+    sum = sum_of(sum, routes->score[seeker]);
   }
   return sum;
 }
 
 void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed) {
   r->random = seed * 0x9E3779B97F4A7C15u + 1u;
-  sum_worth(routes, game);
+  evaluate_all(routes, game);
   descend(r, routes, game);
-  double best = sum_worth(routes, game);
+  qtr_route_score best = evaluate_all(routes, game);
   r->best = *routes;
   for (unsigned round = 0; round < rounds; round++) {
     for (unsigned shakes = 1 + draw(r, SHAKES_MOST); shakes > 0; shakes--) shake(r, routes, game);
     descend(r, routes, game);
-    const double worth = sum_worth(routes, game);
-    if (is_better(worth, best)) {
-      best = worth;
+    const qtr_route_score score = evaluate_all(routes, game);
+    if (is_better(score, best)) {
+      best = score;
       r->best = *routes;
     } else {
       *routes = r->best;

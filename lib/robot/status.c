@@ -17,7 +17,8 @@ static const char *const texts[] = {"success",
                                     "a start is off the map or on an obstacle",
                                     "a place is off the map, on an obstacle, or on another place's cell",
                                     "a weight is not a finite number above 0",
-                                    "a place cannot be reached by any seeker"};
+                                    "a place cannot be reached by any seeker",
+                                    "the discount leaves next to nothing of even the nearest place"};
 
 const char *qtr_strerror(int status) {
   const int count = (int)(sizeof texts / sizeof texts[0]);
