@@ -53,8 +53,11 @@ typedef struct {
 } qtr_bound;
 
 /* Start from a known play: the visits of each target's places set its price, the last visit sets the horizon. The
- * environment must be without regions and outlive the bound. */
-void qtr_bound_init(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit);
+ * environment must be without regions and outlive the bound. QTR_OK, or QTR_ERR_CONFIG if the caller was built under other
+ * sizes. */
+#define qtr_bound_init(bound, environment, visit) qtr_bound_init_built(bound, environment, visit, QTR_CONFIG_ID)
+int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit,
+                         uint32_t config_id);
 
 /* One subgradient step towards `goal`, the worth of the best play known. False when more steps are of no use; the best
  * prices are then in force. */

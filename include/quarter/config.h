@@ -2,8 +2,9 @@
  *
  * Every array in Quarter has a fixed size from this file. Choose a profile (QTR_PROFILE_MCU, or the host profile by
  * default), override single sizes with -D, or name a header of your own with -DQTR_CONFIG_HEADER='"my_quarter.h"'.
- * All code that is linked together must be built under the same sizes: QTR_CONFIG_ID is compared when a structure is
- * initialised, and a difference is QTR_ERR_CONFIG, never a fault later on.
+ * All code that is linked together must be built under the same sizes. Whoever sets up a structure whose size depends on
+ * them (the functions that end in _built and _sized, behind macros of the plain name) hands over the caller's
+ * QTR_CONFIG_ID; a difference is QTR_ERR_CONFIG with nothing written, never a fault later on.
  */
 #ifndef QUARTER_CONFIG_H
 #define QUARTER_CONFIG_H

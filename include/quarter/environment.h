@@ -73,14 +73,18 @@ typedef struct {
 } qtr_situation;
 
 /* Set an environment up over a game. `how` NULL: no aggregation, and the rule is the mission's. `field` is scratch. Game
- * and regions must outlive it. QTR_OK, or an error of qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way. */
-int qtr_environment_init(qtr_environment *environment, const qtr_game *game, const qtr_aggregation *how,
-                         qtr_field *field);
+ * and regions must outlive it. QTR_OK, or an error of qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way;
+ * QTR_ERR_CONFIG if the caller was built under other sizes. */
+#define qtr_environment_init(environment, game, how, field)                                                            \
+  qtr_environment_init_built(environment, game, how, field, QTR_CONFIG_ID)
+int qtr_environment_init_built(qtr_environment *environment, const qtr_game *game, const qtr_aggregation *how,
+                               qtr_field *field, uint32_t config_id);
 
 /* The first situation. */
 void qtr_environment_start(const qtr_environment *environment, qtr_situation *situation);
 
-/* `seeker`, whose turn it is, chooses a target or stands down. Returns the reward of a place at no distance. */
+/* `seeker`, whose turn it is, makes an allowed choice: a target, or to stand down. Returns the reward of a place at no
+ * distance. Nothing happens, and 0, for a seeker or target that is none or has no way. */
 double qtr_environment_choose(const qtr_environment *environment, qtr_situation *situation, int seeker,
                               uint16_t choice);
 
@@ -90,13 +94,14 @@ void qtr_environment_pass(const qtr_environment *environment, qtr_situation *sit
 /* The key of a situation in the Q-table. */
 void qtr_environment_key(const qtr_environment *environment, const qtr_situation *situation, qtr_key *key);
 
-/* Likelihood for a step of the way: a target's, from a node, by exact times; 0 if there is no way. */
+/* Likelihood for a step of the way: a target's, from a node, by exact times; 0 if there is no way, node or target. */
 double qtr_environment_rate(const qtr_environment *environment, unsigned node, unsigned target);
 
-/* The place at which the seeker on its way, or idle, will next be free; a node. */
+/* The place at which the seeker on its way, or idle, will next be free; a node. QTR_STAND_DOWN for a seeker that is none. */
 unsigned qtr_environment_exit(const qtr_environment *environment, const qtr_situation *situation, unsigned seeker);
 
-/* Step at which a seeker on its way visits place `i` of its tour, counted from now; 0: visited already. */
+/* Step at which a seeker on its way visits place `i` of its tour, counted from now; 0: visited already, or there is no such
+ * seeker or place. */
 qtr_steps qtr_environment_visit(const qtr_environment *environment, const qtr_situation *situation, unsigned seeker,
                                 unsigned i);
 

@@ -32,7 +32,7 @@ typedef struct {
 /* QTR_OK, or QTR_ERR_ARGUMENT for a plan out of range. The same seed explores in the same way, bit for bit. */
 int qtr_explorer_init(qtr_explorer *explorer, const qtr_exploration_plan *plan, uint64_t seed);
 
-/* The index of the choice to take among `count`, 1 or more, with these Q. */
+/* The index of the choice to take among `count`, 1 or more, with these Q. 0 for none. */
 unsigned qtr_explorer_pick(qtr_explorer *explorer, const double *q, unsigned count);
 
 /* An episode is over: the rate goes on. */

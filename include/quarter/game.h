@@ -45,23 +45,25 @@ typedef struct {
 } qtr_outcome;
 
 /* Solve the elemental tasks of a checked mission and set the game up. `field` is scratch. The mission must outlive the
- * game. QTR_OK, QTR_ERR_LIMIT, QTR_ERR_UNREACHABLE with the first such place in `*culprit` (may be NULL), or
- * QTR_ERR_DISCOUNT with the nearest place in it. */
-int qtr_game_init(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit);
+ * game. QTR_OK, QTR_ERR_LIMIT, QTR_ERR_UNREACHABLE with the first such place in `*culprit` (may be NULL),
+ * QTR_ERR_DISCOUNT with the nearest place in it, or QTR_ERR_CONFIG if the caller was built under other sizes. */
+#define qtr_game_init(game, mission, field, culprit) qtr_game_init_built(game, mission, field, culprit, QTR_CONFIG_ID)
+int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit, uint32_t config_id);
 
-/* Whether any seeker can reach a place. */
+/* Whether any seeker can reach a place; false if there is no such place. */
 bool qtr_game_reachable(const qtr_game *game, unsigned place);
 
 /* gamma^n under either objective. */
 double qtr_game_power(const qtr_game *game, qtr_steps n);
 
-/* What visiting `place` at step `when` is worth, under the mission's objective. */
+/* What visiting `place` at step `when` is worth, under the mission's objective. The innermost of the learner's loops: the
+ * place, one of the game's, is not checked. */
 double qtr_game_worth(const qtr_game *game, unsigned place, qtr_steps when);
 
 /* The first state. */
 void qtr_game_start(const qtr_game *game, qtr_state *state);
 
-/* `seeker`, whose turn it is, chooses. No time passes. Returns the reward of a place at no distance, visited at once:
+/* `seeker`, whose turn it is, makes an allowed choice (of others nothing comes: qtr_joint_choose()). No time passes. Returns the reward of a place at no distance, visited at once:
  * only a place on a start cell is. */
 double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint16_t choice);
 

@@ -32,19 +32,27 @@ typedef struct {
 /* In the order in which ties are broken. */
 enum qtr_direction { QTR_NORTH = 0, QTR_EAST = 1, QTR_SOUTH = 2, QTR_WEST = 3 };
 
-/* Steps that entering `cell` takes, 1..255; 0 if it is blocked. `cell` must lie in the grid. */
+/* Cells of a grid, blocked ones included. */
+static inline uint32_t qtr_grid_cells(const qtr_grid *grid) {
+  return (uint32_t)grid->columns * grid->rows;
+}
+
+/* Steps that entering `cell` takes, 1..255; 0 if it is blocked or outside the grid. */
 static inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
+  if (cell >= qtr_grid_cells(grid)) return 0;
   if (grid->encoding == QTR_GRID_BYTES) return grid->cells[cell];
   return ((unsigned)grid->cells[cell / 8] >> (cell % 8)) & 1u;
 }
 
-/* The cell next to `cell` in a direction, blocked or not; QTR_NO_CELL beyond the map's edge. */
+/* The cell next to `cell` in a direction, blocked or not; QTR_NO_CELL beyond the map's edge, and next to a cell outside. */
 qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direction direction);
 
-/* The middle of a cell in the map frame. The frame must have metres. */
-void qtr_frame_centre(const qtr_frame *frame, const qtr_grid *grid, qtr_cell cell, int64_t *x_um, int64_t *y_um);
+/* The middle of a cell in the map frame. False, with nothing written, for a cell outside the grid, a frame without metres,
+ * or one whose origin is not within QTR_FRAME_LIMIT_UM. */
+bool qtr_frame_centre(const qtr_frame *frame, const qtr_grid *grid, qtr_cell cell, int64_t *x_um, int64_t *y_um);
 
-/* The cell at a point of the map frame, free or blocked; QTR_NO_CELL off the grid. The frame must have metres. */
+/* The cell at a point of the map frame, free or blocked. QTR_NO_CELL off the grid, however far off a localisation that has
+ * gone astray puts it; in a frame without metres, or one whose origin is not within QTR_FRAME_LIMIT_UM. */
 qtr_cell qtr_frame_cell(const qtr_frame *frame, const qtr_grid *grid, int64_t x_um, int64_t y_um);
 
 /* Bytes that a grid of this many cells takes in an encoding. */

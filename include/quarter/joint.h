@@ -58,13 +58,16 @@ typedef struct {
   uint32_t word[QTR_KEY_WORDS];
 } qtr_key;
 
-/* Derive the size of the keys from places, starts, seekers and longest. Part of qtr_board_init(). */
+/* Derive the size of the keys from places, starts, seekers and longest, which must be in their ranges. Part of
+ * qtr_board_init(). */
 void qtr_board_measure_keys(qtr_board *board);
 
-/* Check the first part and derive the rest. QTR_OK, QTR_ERR_ARGUMENT, or QTR_ERR_LIMIT. */
-int qtr_board_init(qtr_board *board);
+/* Check the first part and derive the rest. QTR_OK, QTR_ERR_ARGUMENT, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if the caller was
+ * built under other sizes. */
+#define qtr_board_init(board) qtr_board_init_built(board, QTR_CONFIG_ID)
+int qtr_board_init_built(qtr_board *board, uint32_t config_id);
 
-/* Travel time from a node (not QTR_STAND_DOWN) to a place; QTR_NEVER if there is no way. */
+/* Travel time from a node to a place; QTR_NEVER if there is no way, or no such node or place. */
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned node, unsigned place);
 
 /* The first state: every seeker idle at its start, `cleared` (NULL for none) visited. */
@@ -75,10 +78,12 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const qtr_places 
 int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board);
 
 /* What `seeker`, whose turn it is, may choose: the places, one or more, and (returned) whether it may stand down. The
- * last seeker that can reach a place left over may not: every place is visited in the end. */
+ * last seeker that can reach a place left over may not: every place is visited in the end. A seeker that is none, or is not
+ * idle, may choose nothing: no place, and false. */
 bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeker, qtr_places *choices);
 
-/* Make an allowed choice. A place at no distance is visited at once. True if it was. */
+/* Make an allowed choice. A place at no distance is visited at once. True if it was. Nothing happens, and false, for a
+ * seeker that is none or is not idle, or a place that is none, is visited or is out of its reach. */
 bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint16_t choice);
 
 /* Nobody is to choose: let the least remaining travel time pass. Returns it, and adds to `arrived` (may be NULL) each

@@ -34,27 +34,30 @@ typedef struct {
   qtr_steps away[QTR_NEARBY_MOST]; /* their distances from the last search's start; QTR_NEVER: beyond its limit */
 } qtr_nearby;
 
-/* The grid must outlive the structure. The list is empty. */
-void qtr_nearby_init(qtr_nearby *nearby, const qtr_grid *grid);
+/* The grid must outlive the structure. The list is empty. QTR_OK; QTR_ERR_LIMIT for a grid of more cells than the build
+ * holds, QTR_ERR_CONFIG if the caller was built under other sizes. */
+#define qtr_nearby_init(nearby, grid) qtr_nearby_init_built(nearby, grid, QTR_CONFIG_ID)
+int qtr_nearby_init_built(qtr_nearby *nearby, const qtr_grid *grid, uint32_t config_id);
 
-/* List a cell that is not listed yet, up to QTR_NEARBY_MOST of them; nothing happens to one that is. */
+/* List a cell that is not listed yet; nothing happens to one that is, or lies outside, or is one more than QTR_NEARBY_MOST. */
 static inline void qtr_nearby_list(qtr_nearby *nearby, qtr_cell cell) {
-  if (nearby->slot[cell] != 0) return;
+  if (cell >= qtr_grid_cells(nearby->grid) || nearby->slot[cell] != 0 || nearby->listed == QTR_NEARBY_MOST) return;
   nearby->list[nearby->listed++] = cell;
   nearby->slot[cell] = (uint16_t)nearby->listed;
 }
 
-/* Take a cell off the list, by its index; the last one takes its place. */
+/* Take a cell off the list, by its index; the last one takes its place. Nothing happens for an index beyond the list. */
 void qtr_nearby_unlist(qtr_nearby *nearby, uint32_t index);
 
 void qtr_nearby_clear(qtr_nearby *nearby);
 
-/* The distance of each listed cell from `from`. True if none is beyond `limit`, 0..65535. */
+/* The distance of each listed cell from `from`, a free cell. True if none is beyond `limit`, 0..65535. From a blocked cell or
+ * one outside all are. */
 bool qtr_nearby_measure(qtr_nearby *nearby, qtr_cell from, qtr_steps limit);
 
-/* The free cells next to a free cell: their number, in the order N, E, S, W. */
+/* The free cells next to a free cell: their number, in the order N, E, S, W. 0 for a cell outside. */
 static inline int qtr_nearby_neighbours(const qtr_nearby *nearby, qtr_cell cell, qtr_cell next[4]) {
-  const unsigned ways = nearby->ways[cell];
+  const unsigned ways = cell < qtr_grid_cells(nearby->grid) ? nearby->ways[cell] : 0;
   const uint32_t columns = nearby->grid->columns;
   int count = 0;
   if (ways & QTR_WAY_NORTH) next[count++] = (qtr_cell)(cell - columns);

@@ -1,4 +1,5 @@
-/* Sets of places as fixed arrays of 32-bit words: 16 places cost one word. */
+/* Sets of places as fixed arrays of 32-bit words: 16 places cost one word. A place of QTR_MAX_PLACES or more is in no set,
+ * and cannot be put into one. */
 #ifndef QUARTER_PLACES_H
 #define QUARTER_PLACES_H
 
@@ -18,15 +19,15 @@ static inline void qtr_places_clear(qtr_places *set) {
 }
 
 static inline bool qtr_places_has(const qtr_places *set, unsigned place) {
-  return (set->word[place / 32] >> (place % 32)) & 1u;
+  return place < QTR_MAX_PLACES && ((set->word[place / 32] >> (place % 32)) & 1u) != 0;
 }
 
 static inline void qtr_places_add(qtr_places *set, unsigned place) {
-  set->word[place / 32] |= (uint32_t)1 << (place % 32);
+  if (place < QTR_MAX_PLACES) set->word[place / 32] |= (uint32_t)1 << (place % 32);
 }
 
 static inline void qtr_places_remove(qtr_places *set, unsigned place) {
-  set->word[place / 32] &= ~((uint32_t)1 << (place % 32));
+  if (place < QTR_MAX_PLACES) set->word[place / 32] &= ~((uint32_t)1 << (place % 32));
 }
 
 #endif

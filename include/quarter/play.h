@@ -24,7 +24,7 @@ typedef struct {
 /* Begin an empty play. */
 void qtr_play_begin(qtr_play *play);
 
-/* Add a choice. */
+/* Add a choice. One of no seeker's or no place's, and one more than QTR_MAX_CHOICES, is left out. */
 void qtr_play_add(qtr_play *play, int seeker, uint16_t choice);
 
 /* Fill in visits and score by playing the choices again: what is reported is what they earn, whatever was learnt. */

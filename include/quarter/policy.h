@@ -73,21 +73,21 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
  * regions; on others they must be start cells of the table. QTR_OK, or QTR_ERR_START with nothing changed. */
 int qtr_policy_deploy(qtr_policy *policy, const qtr_cell *starts);
 
-/* The cell of a node: of place p for p < places, of start s for places + s. */
+/* The cell of a node: of place p for p < places, of start s for places + s; QTR_NO_CELL if there is no such node. */
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node);
 
-/* A place's likelihood in units of 2^-32, 1 or more. */
+/* A place's likelihood in units of 2^-32, 1 or more; 0 if there is no such place. */
 uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place);
 
 /* Look a state up. False if the table has no record of it. */
 bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice);
 
 /* What `seeker`, whose turn it is, chooses: by the table, and off the table the place with the most weight for a step of
- * travel (the lowest of equal ones). `*off_table` (may be NULL) says which. */
+ * travel (the lowest of equal ones). `*off_table` (may be NULL) says which. QTR_STAND_DOWN for a seeker that is none. */
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table);
 
 /* Play the joint game on in nominal time until `seeker` makes its next choice. Returns that choice, or QTR_STAND_DOWN
- * when it has none left. `*now` (may be NULL) is moved on by the time that passes; `*off_table` (may be NULL) counts
+ * when it has none left or is none. `*now` (may be NULL) is moved on by the time that passes; `*off_table` (may be NULL) counts
  * the choices made off the table. */
 uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table);
 

@@ -26,8 +26,10 @@ typedef struct {
   uint32_t word[QTR_QTABLE_WORDS];
 } qtr_qtable;
 
-/* Empty the table for the keys of a board. `precise`: doubles for values, at 4 bytes more an entry. */
-void qtr_qtable_init(qtr_qtable *table, const qtr_board *board, bool precise);
+/* Empty the table for the keys of a board. `precise`: doubles for values, at 4 bytes more an entry. QTR_OK, or QTR_ERR_CONFIG
+ * if the caller was built under other sizes. */
+#define qtr_qtable_init(table, board, precise) qtr_qtable_init_built(table, board, precise, QTR_CONFIG_ID)
+int qtr_qtable_init_built(qtr_qtable *table, const qtr_board *board, bool precise, uint32_t config_id);
 
 /* Bytes that an entry takes, key and value. */
 uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table);

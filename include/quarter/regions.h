@@ -34,6 +34,7 @@ typedef struct {
 /* Large: keep it in static storage. Regions are numbered by their lowest cells. */
 typedef struct {
   uint32_t count;
+  uint32_t cells;                           /* of the grid */
   qtr_region of[QTR_MAX_CELLS];             /* QTR_NO_REGION on blocked cells */
   qtr_cell representative[QTR_MAX_REGIONS]; /* by region */
   uint16_t size[QTR_MAX_REGIONS];           /* cells, by region */
@@ -59,18 +60,22 @@ void qtr_regions_default(qtr_regions_config *config);
  * given to their neighbours. Work and time are linear in the cells. The same input gives the same regions.
  * QTR_ERR_ARGUMENT: a limit or a side of the grid is 0, or the likelihood out of its range; QTR_ERR_LIMIT: a limit, the
  * grid or the places are beyond what the build holds, or more than QTR_MAX_REGIONS regions were grown; QTR_ERR_PLACE,
- * QTR_ERR_WEIGHT: a place lies outside the grid, a likelihood is not above 0. The regions are then of no use. */
-int qtr_regions_build(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
-                      qtr_regions_scratch *scratch);
+ * QTR_ERR_WEIGHT: a place lies outside the grid, a likelihood is not above 0; QTR_ERR_CONFIG: the caller was built under
+ * other sizes. The regions are then of no use. */
+#define qtr_regions_build(regions, grid, config, scratch)                                                              \
+  qtr_regions_build_built(regions, grid, config, scratch, QTR_CONFIG_ID)
+int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
+                            qtr_regions_scratch *scratch, uint32_t config_id);
 
-/* The region of a cell of the grid; QTR_NO_REGION if it is blocked. */
+/* The region of a cell; QTR_NO_REGION if it is blocked or outside the grid. */
 static inline qtr_region qtr_regions_of(const qtr_regions *regions, qtr_cell cell) {
-  return regions->of[cell];
+  return cell < regions->cells ? regions->of[cell] : QTR_NO_REGION;
 }
 
-/* The cell that stands for a free cell: where its travel times are taken from (section 5.2.3). */
+/* The cell that stands for a free cell: where its travel times are taken from (section 5.2.3). QTR_NO_CELL for others. */
 static inline qtr_cell qtr_regions_standing(const qtr_regions *regions, qtr_cell cell) {
-  return regions->representative[regions->of[cell]];
+  const qtr_region region = qtr_regions_of(regions, cell);
+  return region < regions->count ? regions->representative[region] : QTR_NO_CELL;
 }
 
 #endif

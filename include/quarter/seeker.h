@@ -45,8 +45,12 @@ typedef struct {
 } qtr_seeker;
 
 /* Robot `self` (0..seekers-1) at its start, the places in `cleared` (NULL for none) already scanned, the same set on
- * every robot. The open policy must outlive the seeker. QTR_OK or QTR_ERR_ARGUMENT. */
-int qtr_seeker_init(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_places *cleared);
+ * every robot. The open policy must outlive the seeker. QTR_OK; with nothing written QTR_ERR_ARGUMENT for a robot that is
+ * none, QTR_ERR_CONFIG if the caller was built under other sizes. */
+#define qtr_seeker_init(seeker, policy, self, cleared)                                                                 \
+  qtr_seeker_init_built(seeker, policy, self, cleared, QTR_CONFIG_ID)
+int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_places *cleared,
+                          uint32_t config_id);
 
 /* The place to go to now; QTR_STAND_DOWN: stay, there is nothing left to do. */
 uint16_t qtr_seeker_target(const qtr_seeker *seeker);

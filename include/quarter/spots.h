@@ -77,7 +77,8 @@ typedef struct {
 } qtr_spot_scratch;
 
 /* Visit the `count` places of `place` (1..QTR_MAX_SPOT_SIZE, all different) from `node`, the nearest first, the lowest
- * place among equally near ones. False if some place cannot be reached that way; the tour is undefined then. */
+ * place among equally near ones. False if some place cannot be reached that way, or a place, or how many they are, is out
+ * of range; the tour is undefined then. The node must be one of the ground's. */
 bool qtr_spot_tour_nearest(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,
                            unsigned count);
 
@@ -89,7 +90,7 @@ bool qtr_spot_tour_nearest(qtr_spot_tour *tour, const qtr_spot_ground *ground, u
  * is done: the tour maximises the worth of its visits plus rest * gamma^finish (expected time: minus rest * finish). With
  * 0 the spot is seen by itself. Among orders of equal worth, to within rounding, the one that finishes first is taken.
  *
- * False if there is no such tour; it is undefined then. */
+ * False if there is no such tour, or an argument is out of range as above; it is undefined then. */
 bool qtr_spot_tour_best(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,
                         unsigned count, int exit, double rest, qtr_spot_scratch *scratch);
 

@@ -8,6 +8,7 @@
 
 #include "quarter/config.h"
 #include "quarter/grid.h"
+#include "quarter/status.h"
 
 #define QTR_TRAVEL_RING 256 /* one more than the greatest cost of a cell */
 
@@ -18,12 +19,15 @@ typedef struct {
   qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: cells by the time at which they are settled */
 } qtr_field;
 
-/* Fill `field` with the travel times to `target`, a free cell of the grid. Dijkstra's algorithm over a ring of time
- * buckets (Dial 1969): time and memory linear in the cells. */
-void qtr_field_fill(qtr_field *field, const qtr_grid *grid, qtr_cell target);
+/* Fill `field` with the travel times to `target`. Dijkstra's algorithm over a ring of time buckets (Dial 1969): time and
+ * memory linear in the cells. QTR_OK; QTR_ERR_ARGUMENT for a target that is blocked or outside, which is then in reach of
+ * no cell; QTR_ERR_LIMIT for a grid of more cells than the build holds, QTR_ERR_CONFIG if the caller was built under other
+ * sizes, both with nothing filled. */
+#define qtr_field_fill(field, grid, target) qtr_field_fill_built(field, grid, target, QTR_CONFIG_ID)
+int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target, uint32_t config_id);
 
 /* The cell to enter next on a shortest path from `cell` to the field's target: the first in the order N, E, S, W.
- * `cell` itself at the target; QTR_NO_CELL where the target cannot be reached. */
+ * `cell` itself at the target; QTR_NO_CELL where the target cannot be reached, and for a cell outside the grid. */
 qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell);
 
 #endif

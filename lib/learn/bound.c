@@ -2,6 +2,8 @@
 
 #include <stddef.h>
 
+#include "quarter/status.h"
+
 #define LEAST_POWER 1e-250
 #define SCALE_FIRST 2.0 /* of Polyak's step; 2 is the most for which it converges */
 #define SCALE_LEAST 0.005
@@ -219,7 +221,9 @@ static qtr_steps price_by_visits(qtr_bound *bound, const qtr_steps *visit) {
   return last;
 }
 
-void qtr_bound_init(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit) {
+int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit,
+                         uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   const qtr_board *board = &environment->game->board;
   int visits[QTR_MAX_PLACES];
   bound->environment = environment;
@@ -233,6 +237,7 @@ void qtr_bound_init(qtr_bound *bound, const qtr_environment *environment, const 
   bound->steps_without_gain = 0;
   restart_from_best(bound);
   bound->upper = evaluate(bound, bound->price, visits);
+  return QTR_OK;
 }
 
 static void keep_trial(qtr_bound *bound, double upper) {
@@ -278,8 +283,10 @@ void qtr_bound_settle(qtr_bound *bound) {
 
 /* ---- states ---- */
 
-static bool is_free(const qtr_situation *after, unsigned target) {
-  return !qtr_places_has(&after->joint.visited, target) && !qtr_places_has(&after->joint.bound, target);
+/* Of the loops below the innermost: both sets at once, and the target, one of the environment's, is not checked. */
+static inline bool is_free(const qtr_situation *after, unsigned target) {
+  const unsigned w = target / 32;
+  return ((after->joint.visited.word[w] | after->joint.bound.word[w]) >> (target % 32) & 1u) == 0;
 }
 
 /* The most that one seeker can collect from its next free moment on, its first step going to a free target. */

@@ -22,7 +22,9 @@ static uint16_t tour_exit(const qtr_tour *tour) {
   return tour->place[tour->places - 1];
 }
 
+/* The first place of a target's tour from a node; QTR_STAND_DOWN if there is no way, node or target. */
 static uint16_t first_place(const qtr_environment *e, unsigned node, unsigned target) {
+  if (node >= nodes_of(e) || target >= e->targets) return QTR_STAND_DOWN;
   return e->first[(size_t)node * e->targets + target];
 }
 
@@ -213,7 +215,9 @@ static int make_targets(qtr_environment *e, const qtr_aggregation *how) {
   return QTR_OK;
 }
 
-int qtr_environment_init(qtr_environment *e, const qtr_game *game, const qtr_aggregation *how, qtr_field *field) {
+int qtr_environment_init_built(qtr_environment *e, const qtr_game *game, const qtr_aggregation *how, qtr_field *field,
+                               uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   e->game = game;
   e->regions = how != NULL ? how->regions : NULL;
   e->estimating = e->regions != NULL && how->region_times == QTR_TIMES_STANDING;
@@ -240,21 +244,26 @@ void qtr_environment_start(const qtr_environment *e, qtr_situation *s) {
 /* ---- play ---- */
 
 unsigned qtr_environment_exit(const qtr_environment *e, const qtr_situation *s, unsigned seeker) {
+  if (seeker >= e->board.seekers) return QTR_STAND_DOWN;
   return s->joint.remaining[seeker] == 0 ? s->at[seeker] : tour_exit(&e->tour[s->at[seeker]]);
 }
 
 qtr_steps qtr_environment_visit(const qtr_environment *e, const qtr_situation *s, unsigned seeker, unsigned i) {
+  if (seeker >= e->board.seekers || s->at[seeker] >= places_of(e)) return 0;
   const qtr_tour *tour = &e->tour[s->at[seeker]];
+  if (i >= tour->places) return 0;
   const qtr_steps after_it = tour_length(tour) - tour->step[i];
   return s->joint.remaining[seeker] > after_it ? s->joint.remaining[seeker] - after_it : 0;
 }
 
 double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
+  if (seeker < 0 || seeker >= e->board.seekers) return 0.0;
   if (choice == QTR_STAND_DOWN) {
     qtr_joint_choose(&s->joint, &e->board, seeker, choice);
     return 0.0;
   }
   const uint16_t first = first_place(e, s->at[seeker], choice);
+  if (first == QTR_STAND_DOWN) return 0.0;
   const qtr_steps exact = duration(e, s->at[seeker], choice);
   const bool here = qtr_board_steps(&e->game->board, s->at[seeker], first) == 0;
   const bool done = qtr_joint_choose(&s->joint, &e->board, seeker, choice);

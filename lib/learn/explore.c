@@ -74,6 +74,7 @@ static unsigned pick_softmax(qtr_explorer *explorer, const double *q, unsigned c
 }
 
 unsigned qtr_explorer_pick(qtr_explorer *explorer, const double *q, unsigned count) {
+  if (count == 0) return 0;
   switch (explorer->plan.kind) {
   case QTR_EXPLORE_EPSILON: return draw(explorer) < explorer->rate ? draw_below(explorer, count) : largest(q, count);
   case QTR_EXPLORE_SOFTMAX: return pick_softmax(explorer, q, count);

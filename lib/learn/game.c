@@ -78,7 +78,9 @@ static int check_discount(const qtr_game *game, int *culprit) {
   return QTR_ERR_DISCOUNT;
 }
 
-int qtr_game_init(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit) {
+int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit,
+                        uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   game->mission = mission;
   game->board.places = mission->places;
   game->board.seekers = mission->seekers;

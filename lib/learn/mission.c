@@ -4,11 +4,13 @@
 #include <stddef.h>
 #include <string.h>
 
-void qtr_mission_default(qtr_mission *mission) {
+int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   memset(mission, 0, sizeof *mission);
   mission->objective = QTR_DISCOUNTED;
   mission->rule = QTR_RULE_FREE;
   mission->gamma = 0.99;
+  return QTR_OK;
 }
 
 qtr_grid qtr_mission_grid(const qtr_mission *mission) {

@@ -1,7 +1,9 @@
 #include "quarter/nearby.h"
 
+#include "quarter/status.h"
+
 static bool is_free(const qtr_grid *grid, uint32_t cell) {
-  return cell < (uint32_t)grid->columns * grid->rows && qtr_grid_cost(grid, (qtr_cell)cell) > 0;
+  return cell < qtr_grid_cells(grid) && qtr_grid_cost(grid, (qtr_cell)cell) > 0;
 }
 
 /* Looked up once, because searches ask for it all the time. */
@@ -16,8 +18,10 @@ static uint8_t find_ways(const qtr_grid *grid, uint32_t cell) {
   return (uint8_t)ways;
 }
 
-void qtr_nearby_init(qtr_nearby *nearby, const qtr_grid *grid) {
-  const uint32_t cells = (uint32_t)grid->columns * grid->rows;
+int qtr_nearby_init_built(qtr_nearby *nearby, const qtr_grid *grid, uint32_t config_id) {
+  const uint32_t cells = qtr_grid_cells(grid);
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  if (cells > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
   nearby->grid = grid;
   nearby->work = 0;
   nearby->listed = 0;
@@ -27,9 +31,11 @@ void qtr_nearby_init(qtr_nearby *nearby, const qtr_grid *grid) {
     nearby->slot[cell] = 0;
   }
   for (int i = 0; i < QTR_NEARBY_RING; i++) nearby->ring[i] = QTR_NO_CELL;
+  return QTR_OK;
 }
 
 void qtr_nearby_unlist(qtr_nearby *nearby, uint32_t index) {
+  if (index >= nearby->listed) return;
   const uint32_t last = --nearby->listed;
   nearby->slot[nearby->list[index]] = 0;
   if (index == last) return;
@@ -89,17 +95,21 @@ static void forget(qtr_nearby *nearby, uint32_t reached) {
   nearby->work += reached;
 }
 
-bool qtr_nearby_measure(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
+static void search(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
   const qtr_cell *ring = nearby->ring;
   uint32_t reached = 1;
   unsigned empty = 0;
-  for (uint32_t i = 0; i < nearby->listed; i++) nearby->away[i] = QTR_NEVER;
   uint32_t found = reach(nearby, from, 0, from, 0) ? 1 : 0;
   for (qtr_steps now = 0; now <= limit && found < nearby->listed && empty < QTR_NEARBY_RING; now++) {
     empty = ring[now % QTR_NEARBY_RING] == QTR_NO_CELL ? empty + 1 : 0;
     found += pass(nearby, now, from, &reached);
   }
   forget(nearby, reached);
+}
+
+bool qtr_nearby_measure(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
+  for (uint32_t i = 0; i < nearby->listed; i++) nearby->away[i] = QTR_NEVER;
+  if (is_free(nearby->grid, from)) search(nearby, from, limit);
   bool near = true;
   for (uint32_t i = 0; i < nearby->listed; i++) {
     if (nearby->away[i] > limit) nearby->away[i] = QTR_NEVER;

@@ -8,6 +8,8 @@ void qtr_play_begin(qtr_play *play) {
 }
 
 void qtr_play_add(qtr_play *play, int seeker, uint16_t choice) {
+  if (seeker < 0 || seeker >= QTR_MAX_SEEKERS || play->choices >= QTR_MAX_CHOICES) return;
+  if (choice >= QTR_MAX_PLACES && choice != QTR_STAND_DOWN) return;
   play->seeker[play->choices] = (uint8_t)seeker;
   play->choice[play->choices++] = choice;
 }

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "quarter/status.h"
+
 #define TAG_BITS 2
 #define TAG_MASK 0xC0000000u /* top bits of a stored key's last word: 0 = free slot, else when it was placed */
 #define TAG_FIRST 0x40000000u
@@ -86,7 +88,8 @@ static uint32_t after(const qtr_qtable *table, uint32_t slot) {
   return slot + 1 < table->slots ? slot + 1 : 0;
 }
 
-void qtr_qtable_init(qtr_qtable *table, const qtr_board *board, bool precise) {
+int qtr_qtable_init_built(qtr_qtable *table, const qtr_board *board, bool precise, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   table->key_words = board->key_words;
   table->value_words = precise ? VALUE_WORDS_MAX : 1;
   table->entry_words = (uint8_t)((board->key_bits + TAG_BITS + 31) / 32 + table->value_words);
@@ -96,6 +99,7 @@ void qtr_qtable_init(qtr_qtable *table, const qtr_board *board, bool precise) {
   table->slots = table->slots_limit < FIRST_SLOTS ? table->slots_limit : FIRST_SLOTS;
   table->tag = TAG_FIRST;
   memset(table->word, 0, (size_t)table->slots * table->entry_words * sizeof(uint32_t));
+  return QTR_OK;
 }
 
 uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table) {

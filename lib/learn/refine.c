@@ -9,6 +9,7 @@
 #define SHAKES_MOST 3  /* random moves in a round */
 
 qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length) {
+  if (seeker >= game->board.seekers) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
   unsigned node = (unsigned)game->board.places + game->board.start_of[seeker];
   qtr_route_score score = {0.0, 0.0};
   qtr_steps now = 0;

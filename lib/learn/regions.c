@@ -452,9 +452,8 @@ static void number(const division *d) {
 }
 
 static int check(const qtr_grid *grid, const qtr_regions_config *config) {
-  if (grid->columns == 0 || grid->rows == 0) return QTR_ERR_ARGUMENT;
-  if (config->max_size == 0 || config->diameter == 0) return QTR_ERR_ARGUMENT;
-  if ((uint32_t)grid->columns * grid->rows > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
+  if (qtr_grid_cells(grid) == 0 || config->max_size == 0 || config->diameter == 0) return QTR_ERR_ARGUMENT;
+  if (qtr_grid_cells(grid) > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
   if (config->max_size > QTR_MAX_REGION_SIZE || config->diameter > QTR_MAX_REGION_DIAMETER) return QTR_ERR_LIMIT;
   return QTR_OK;
 }
@@ -474,12 +473,13 @@ void qtr_regions_default(qtr_regions_config *config) {
   *config = (qtr_regions_config){.max_size = 25, .diameter = 15};
 }
 
-int qtr_regions_build(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
-                      qtr_regions_scratch *scratch) {
-  int status = check(grid, config);
+int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
+                            qtr_regions_scratch *scratch, uint32_t config_id) {
+  int status = config_id == QTR_CONFIG_ID ? check(grid, config) : QTR_ERR_CONFIG;
   if (status == QTR_OK) status = check_places(grid, config);
   if (status != QTR_OK) return status;
-  const division d = {regions, config, scratch, &scratch->nearby, (uint32_t)grid->columns * grid->rows};
+  const division d = {regions, config, scratch, &scratch->nearby, qtr_grid_cells(grid)};
+  regions->cells = d.cells;
   qtr_nearby_init(&scratch->nearby, grid);
   for (uint32_t cell = 0; cell < d.cells; cell++) {
     regions->of[cell] = QTR_NO_REGION;

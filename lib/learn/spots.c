@@ -304,9 +304,16 @@ static bool follow(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned 
   return true;
 }
 
+static bool can_be_toured(const qtr_spot_ground *ground, const uint16_t *place, unsigned count) {
+  if (count < 1 || count > QTR_MAX_SPOT_SIZE) return false;
+  for (unsigned i = 0; i < count; i++)
+    if (place[i] >= ground->places) return false;
+  return true;
+}
+
 bool qtr_spot_tour_nearest(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,
                            unsigned count) {
-  QTR_ASSERT(count >= 1 && count <= QTR_MAX_SPOT_SIZE);
+  if (!can_be_toured(ground, place, count)) return false;
   unsigned here = node;
   for (unsigned i = 0; i < count; i++) tour->place[i] = place[i];
   for (unsigned done = 0; done < count; done++) {
@@ -399,7 +406,7 @@ static void look_back(const touring *t) {
 
 bool qtr_spot_tour_best(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,
                         unsigned count, int exit, double rest, qtr_spot_scratch *scratch) {
-  QTR_ASSERT(count >= 1 && count <= QTR_MAX_SPOT_SIZE && exit < (int)count);
+  if (!can_be_toured(ground, place, count) || exit < QTR_SPOT_ANY_EXIT || exit >= (int)count) return false;
   const touring t = {ground, place, count, exit, rest, scratch};
   unsigned done = 0;
   unsigned here = node;

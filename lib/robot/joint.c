@@ -6,6 +6,7 @@
 #include "quarter/status.h"
 
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned node, unsigned place) {
+  if (place >= board->places || node >= (unsigned)board->places + board->starts) return QTR_NEVER;
   return load32_le(board->steps + 4 * ((uint32_t)node * board->places + place));
 }
 
@@ -112,7 +113,8 @@ static int check_numbers(const qtr_board *board) {
   return QTR_OK;
 }
 
-int qtr_board_init(qtr_board *board) {
+int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   int status = check_numbers(board);
   if (status == QTR_OK) status = find_longest(board);
   if (status == QTR_OK) qtr_board_measure_keys(board);
@@ -123,6 +125,10 @@ int qtr_board_init(qtr_board *board) {
 
 static bool is_idle(const qtr_joint *joint, unsigned seeker) {
   return joint->node[seeker] != QTR_STAND_DOWN && joint->remaining[seeker] == 0;
+}
+
+static bool can_choose(const qtr_joint *joint, const qtr_board *board, int seeker) {
+  return seeker >= 0 && seeker < board->seekers && is_idle(joint, (unsigned)seeker);
 }
 
 /* Add to `choices` (may be NULL) the unvisited places in reach of `node`, and say whether there are any. */
@@ -190,7 +196,7 @@ static bool other_can_reach(const qtr_joint *joint, const qtr_board *board, int 
 
 bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeker, qtr_places *choices) {
   qtr_places_clear(choices);
-  find_choices(joint, board, joint->node[seeker], choices);
+  if (!can_choose(joint, board, seeker) || !find_choices(joint, board, joint->node[seeker], choices)) return false;
   if (board->rule == QTR_RULE_PAPER) return false;
   /* Ways go both ways, so whoever can reach one of these places can reach them all. */
   unsigned place = 0;
@@ -199,11 +205,13 @@ bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeke
 }
 
 bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint16_t choice) {
+  if (!can_choose(joint, board, seeker)) return false;
   if (choice == QTR_STAND_DOWN) {
     joint->node[seeker] = QTR_STAND_DOWN;
     return false;
   }
   const qtr_steps steps = qtr_board_steps(board, joint->node[seeker], choice);
+  if (steps == QTR_NEVER || qtr_places_has(&joint->visited, choice)) return false;
   joint->node[seeker] = choice;
   joint->remaining[seeker] = steps;
   if (steps == 0)

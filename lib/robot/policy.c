@@ -41,7 +41,7 @@ static int read_dimensions(qtr_policy *policy) {
   policy->frame.cell_size_um = load32_le(bytes + QTR_POLICY_CELL_SIZE);
   policy->frame.origin_x_um = (int64_t)load64_le(bytes + QTR_POLICY_ORIGIN_X);
   policy->frame.origin_y_um = (int64_t)load64_le(bytes + QTR_POLICY_ORIGIN_Y);
-  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
   if (cells == 0 || policy->board.places == 0 || policy->board.seekers == 0) return QTR_ERR_CORRUPT;
   if (policy->board.starts == 0 || policy->board.starts > QTR_MAX_STARTS) return QTR_ERR_CORRUPT;
   if (cells > QTR_MAX_CELLS || policy->board.places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
@@ -59,7 +59,7 @@ static int check_words(const uint8_t *bytes) {
 static int find_sections(qtr_policy *policy, uint32_t size) {
   qtr_board *board = &policy->board;
   const uint32_t nodes = (uint32_t)board->places + board->starts;
-  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
   const uint64_t travel = 4u * (uint64_t)nodes * board->places;
   const uint64_t seats = (board->seekers + 1u) / 2u * 4u;
   const uint64_t regions = policy->bytes[QTR_POLICY_ANY_START] != 0 ? 2u * (uint64_t)cells : 0;
@@ -87,7 +87,7 @@ static bool is_on_earth(int64_t coordinate_um) {
 }
 
 static int check_nodes(const qtr_policy *policy) {
-  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
   if (!is_on_earth(policy->frame.origin_x_um) || !is_on_earth(policy->frame.origin_y_um)) return QTR_ERR_CORRUPT;
   for (uint32_t node = 0; node < (uint32_t)policy->board.places + policy->board.starts; node++) {
     const uint32_t cell = load32_le(policy->cells + 4 * node);
@@ -100,7 +100,7 @@ static int check_nodes(const qtr_policy *policy) {
 
 /* Every free cell belongs to a region, and no region is without its start. */
 static int check_regions(const qtr_policy *policy) {
-  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
   for (uint32_t cell = 0; policy->regions != NULL && cell < cells; cell++) {
     const bool is_free = qtr_grid_cost(&policy->grid, (qtr_cell)cell) > 0;
     if (is_free && load16_le(policy->regions + 2 * cell) >= policy->board.starts) return QTR_ERR_CORRUPT;
@@ -148,7 +148,7 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
 /* The start that stands for a cell: its region's, or on a table without regions the start at that cell; `starts` if there
  * is none. */
 static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
-  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
   unsigned start = 0;
   if (cell >= cells || qtr_grid_cost(&policy->grid, cell) == 0) return policy->board.starts;
   if (policy->regions != NULL) return load16_le(policy->regions + 2 * (uint32_t)cell);
@@ -173,11 +173,12 @@ int qtr_policy_deploy(qtr_policy *policy, const qtr_cell *starts) {
 }
 
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
+  if (node >= (unsigned)policy->board.places + policy->board.starts) return QTR_NO_CELL;
   return (qtr_cell)load32_le(policy->cells + 4 * node);
 }
 
 uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place) {
-  return load32_le(policy->weights + 4 * place);
+  return place < policy->board.places ? load32_le(policy->weights + 4 * place) : 0;
 }
 
 bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice) {
@@ -218,6 +219,10 @@ static uint16_t choose_by_rate(const qtr_policy *policy, unsigned node, const qt
   return best;
 }
 
+static bool is_seeker(const qtr_policy *policy, int seeker) {
+  return seeker >= 0 && seeker < policy->board.seekers;
+}
+
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
   qtr_places choices;
   uint16_t choice = QTR_STAND_DOWN;
@@ -225,12 +230,15 @@ uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int
   /* A record that allows no such choice can only be a forged one; it counts as none. */
   const bool known = qtr_policy_lookup(policy, joint, &choice) &&
                      (choice == QTR_STAND_DOWN ? may_stand_down : qtr_places_has(&choices, choice));
-  if (off_table != NULL) *off_table = !known;
-  return known ? choice : choose_by_rate(policy, joint->node[seeker], &choices);
+  const bool is_one = is_seeker(policy, seeker);
+  if (off_table != NULL) *off_table = is_one && !known;
+  if (known) return choice;
+  if (!is_one) return QTR_STAND_DOWN;
+  return choose_by_rate(policy, joint->node[seeker], &choices);
 }
 
 uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table) {
-  while (joint->node[seeker] != QTR_STAND_DOWN) {
+  while (is_seeker(policy, seeker) && joint->node[seeker] != QTR_STAND_DOWN) {
     const int chooser = qtr_joint_chooser(joint, &policy->board);
     if (chooser == QTR_NOBODY) {
       const qtr_steps passed = qtr_joint_advance(joint, &policy->board, NULL);

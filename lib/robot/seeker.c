@@ -57,7 +57,9 @@ static void next_target(qtr_seeker *seeker) {
   }
 }
 
-int qtr_seeker_init(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_places *cleared) {
+int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_places *cleared,
+                          uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   if (self >= policy->board.seekers) return QTR_ERR_ARGUMENT;
   memset(seeker, 0, sizeof *seeker);
   seeker->policy = policy;
@@ -104,6 +106,5 @@ bool qtr_seeker_announce(qtr_seeker *seeker, uint8_t *territory) {
 
 bool qtr_seeker_field(const qtr_seeker *seeker, qtr_field *field) {
   if (seeker->target == QTR_STAND_DOWN) return false;
-  qtr_field_fill(field, &seeker->policy->grid, qtr_policy_cell(seeker->policy, seeker->target));
-  return true;
+  return qtr_field_fill(field, &seeker->policy->grid, qtr_policy_cell(seeker->policy, seeker->target)) == QTR_OK;
 }

@@ -13,7 +13,7 @@ static void wait_in_ring(qtr_field *field, const qtr_grid *grid, qtr_cell cell, 
 static void settle_neighbours(qtr_field *field, const qtr_grid *grid, qtr_cell cell, qtr_steps told) {
   const qtr_cell columns = grid->columns;
   const qtr_cell column = (qtr_cell)(cell % columns);
-  const uint32_t cells = (uint32_t)columns * grid->rows;
+  const uint32_t cells = qtr_grid_cells(grid);
   const uint32_t next[4] = {(uint32_t)cell - columns, column + 1u < columns ? cell + 1u : cells,
                             (uint32_t)cell + columns, column > 0 ? cell - 1u : cells};
   for (int i = 0; i < 4; i++) {
@@ -22,10 +22,13 @@ static void settle_neighbours(qtr_field *field, const qtr_grid *grid, qtr_cell c
   }
 }
 
-void qtr_field_fill(qtr_field *field, const qtr_grid *grid, qtr_cell target) {
-  const uint32_t cells = (uint32_t)grid->columns * grid->rows;
+int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target, uint32_t config_id) {
+  const uint32_t cells = qtr_grid_cells(grid);
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  if (cells > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
   for (uint32_t cell = 0; cell < cells; cell++) field->to_go[cell] = QTR_NEVER;
   for (int i = 0; i < QTR_TRAVEL_RING; i++) field->ring[i] = QTR_NO_CELL;
+  if (qtr_grid_cost(grid, target) == 0) return QTR_ERR_ARGUMENT;
   wait_in_ring(field, grid, target, 0);
   /* Times rise by at most 255 from cell to cell: a whole turn of empty entries means that all is settled. */
   unsigned empty = 0;
@@ -40,9 +43,12 @@ void qtr_field_fill(qtr_field *field, const qtr_grid *grid, qtr_cell target) {
       cell = after;
     }
   }
+  return QTR_OK;
 }
 
 qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell) {
+  const uint32_t cells = qtr_grid_cells(grid);
+  if (cell >= cells || cells > QTR_MAX_CELLS) return QTR_NO_CELL;
   const qtr_steps to_go = field->to_go[cell];
   if (to_go == QTR_NEVER) return QTR_NO_CELL;
   if (to_go == 0) return cell;
