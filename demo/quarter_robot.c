@@ -7,6 +7,7 @@
 #include <time.h>
 
 #include "bus.h"
+#include "table_check.h"
 #include "wiring.h"
 
 #define TABLE_MOST (64u << 20)
@@ -120,6 +121,10 @@ int main(int argc, char **argv) {
   if (bytes == NULL) return complain(w.table, "cannot be read");
   int status = qtr_policy_open(&policy, bytes, size);
   if (status != QTR_OK) return complain(w.table, qtr_strerror(status));
+  if (table_check(&policy, w.table, &why) != 0) {
+    fprintf(stderr, "quarter-robot: %s\n", why.text);
+    return 2;
+  }
   status = qtr_seeker_init(&seeker, &policy, (unsigned)w.self, NULL);
   if (status != QTR_OK) return complain("--robot", "the table has no such robot");
   if (bus_open(&b, w.url, &why) != 0) return complain("the bus", why.text);

@@ -5,6 +5,7 @@
 
 #include "quarter/mission.h"
 #include "quarter/status.h"
+#include "table_check.h"
 
 #define TABLE_LIMIT ((size_t)64 << 20)
 
@@ -20,9 +21,10 @@ static const char *mend_of(int status) {
 int table_read(table *t, const char *path, fault *why) {
   if (file_read(&t->bytes, path, TABLE_LIMIT, NULL, why) != 0) return -1;
   const int status = qtr_policy_open(&t->policy, t->bytes.data, (uint32_t)t->bytes.size);
-  if (status == QTR_OK) return 0;
+  if (status != QTR_OK) fault_set(why, "%s: %s; %s", path, qtr_strerror(status), mend_of(status));
+  if (status == QTR_OK && table_check(&t->policy, path, why) == 0) return 0;
   file_free(&t->bytes);
-  return fault_set(why, "%s: %s; %s", path, qtr_strerror(status), mend_of(status));
+  return -1;
 }
 
 void table_free(table *t) {

@@ -30,7 +30,7 @@ typedef struct {
   qtr_steps step[QTR_MAX_PLACES];
 } table_route;
 
-/* Read and open a table. 0, or -1 with *why set and nothing to free. */
+/* Read and open a table, and hold it against its own map (table_check.h). 0, or -1 with *why set and nothing to free. */
 int table_read(table *t, const char *path, fault *why);
 
 void table_free(table *t);

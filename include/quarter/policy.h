@@ -63,8 +63,9 @@ typedef struct {
 } qtr_policy;
 
 /* Open the table of `size` bytes at `bytes` (no alignment needed). QTR_OK; QTR_ERR_TRUNCATED, _MAGIC, _FORMAT, _CHECKSUM,
- * _CORRUPT or _SELFTEST if it is not whole and sound; QTR_ERR_LIMIT if this build's arrays are too small for it;
- * QTR_ERR_CONFIG if the caller was built under other sizes. */
+ * _CORRUPT, _TRAVEL, _CERTIFICATE or _SELFTEST if it is not whole and sound; QTR_ERR_LIMIT if this build's arrays are too
+ * small for it; QTR_ERR_CONFIG if the caller was built under other sizes. What docs/policy-format.md says of each number is
+ * checked, and what the numbers say of one another; not the travel times against the grid, which takes a search a place. */
 #define qtr_policy_open(policy, bytes, size) qtr_policy_open_built(policy, bytes, size, QTR_CONFIG_ID)
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id);
 

@@ -25,7 +25,9 @@ enum {
   QTR_ERR_PLACE = -14,       /* mission: a place off the map, on an obstacle, or twice on one cell */
   QTR_ERR_WEIGHT = -15,      /* mission: a weight that is not a finite number above 0 */
   QTR_ERR_UNREACHABLE = -16, /* mission: a place that no seeker can reach */
-  QTR_ERR_DISCOUNT = -17     /* mission: gamma leaves next to nothing of even the nearest place (quarter/game.h) */
+  QTR_ERR_DISCOUNT = -17,    /* mission: gamma leaves next to nothing of even the nearest place (quarter/game.h) */
+  QTR_ERR_TRAVEL = -18,      /* table: travel times that contradict one another, or a place that no seeker can reach */
+  QTR_ERR_CERTIFICATE = -19  /* table: a value, bound or gap that is no number, or that the others contradict */
 };
 
 /* One line of English for a status, never NULL; static storage. */

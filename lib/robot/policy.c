@@ -52,7 +52,9 @@ static int check_words(const uint8_t *bytes) {
   const bool known = bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER && bytes[QTR_POLICY_OBJECTIVE] <= 1 &&
                      bytes[QTR_POLICY_CERTIFIED] <= 1 && bytes[QTR_POLICY_ANY_START] <= 1 &&
                      bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES;
-  return known ? QTR_OK : QTR_ERR_CORRUPT;
+  const bool reserved = bytes[QTR_POLICY_KEY_WORDS + 1] != 0 || load32_le(bytes + QTR_POLICY_PRODUCER + 4) != 0 ||
+                        load32_le(bytes + QTR_POLICY_CELL_SIZE + 4) != 0;
+  return known && !reserved ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* Find the sections, whose sizes follow from the dimensions alone: there is no offset in the file to be wrong. */
@@ -81,29 +83,60 @@ static int find_sections(qtr_policy *policy, uint32_t size) {
   return QTR_OK;
 }
 
-/* So far from the map frame's origin that sums of coordinates might overflow is nowhere. */
-static bool is_on_earth(int64_t coordinate_um) {
-  return coordinate_um > -QTR_FRAME_LIMIT_UM && coordinate_um < QTR_FRAME_LIMIT_UM;
+/* A map without metres lies nowhere; one with metres has a middle of its first cell. */
+static int check_place_in_world(const qtr_policy *policy) {
+  const qtr_frame *frame = &policy->frame;
+  int64_t x_um;
+  int64_t y_um;
+  const bool is_known = frame->cell_size_um > 0 ? qtr_frame_centre(frame, &policy->grid, 0, &x_um, &y_um)
+                                                : frame->origin_x_um == 0 && frame->origin_y_um == 0;
+  return is_known ? QTR_OK : QTR_ERR_CORRUPT;
+}
+
+/* Bytes that mean nothing are 0: what fills up the seats, and the bits behind the last cell. */
+static int check_padding(const qtr_policy *policy) {
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
+  const uint8_t *seats = policy->bytes + QTR_POLICY_HEADER_BYTES;
+  if (policy->board.seekers % 2 == 1 && load16_le(seats + 2u * policy->board.seekers) != 0) return QTR_ERR_CORRUPT;
+  if (policy->grid.encoding != QTR_GRID_BITS || cells % 8 == 0) return QTR_OK;
+  return policy->grid.cells[cells / 8] >> (cells % 8) == 0 ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 static int check_nodes(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
-  if (!is_on_earth(policy->frame.origin_x_um) || !is_on_earth(policy->frame.origin_y_um)) return QTR_ERR_CORRUPT;
   for (uint32_t node = 0; node < (uint32_t)policy->board.places + policy->board.starts; node++) {
     const uint32_t cell = load32_le(policy->cells + 4 * node);
     if (cell >= cells || qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) return QTR_ERR_CORRUPT;
   }
-  for (unsigned place = 0; place < policy->board.places; place++)
-    if (qtr_policy_weight(policy, place) == 0) return QTR_ERR_CORRUPT;
   return QTR_OK;
 }
 
-/* Every free cell belongs to a region, and no region is without its start. */
+/* Likelihoods of sum 1, each rounded, and none below 1. */
+static int check_weights(const qtr_policy *policy) {
+  const uint64_t one = (uint64_t)1 << 32;
+  const unsigned places = policy->board.places;
+  uint64_t sum = 0;
+  for (unsigned place = 0; place < places; place++) {
+    if (qtr_policy_weight(policy, place) == 0) return QTR_ERR_CORRUPT;
+    sum += qtr_policy_weight(policy, place);
+  }
+  return sum + places >= one && sum <= one + places ? QTR_OK : QTR_ERR_CORRUPT;
+}
+
+static uint32_t region_of(const qtr_policy *policy, uint32_t cell) {
+  return load16_le(policy->regions + 2 * cell);
+}
+
+/* Every free cell belongs to a region, whose start lies in it; blocked cells belong to none. */
 static int check_regions(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
   for (uint32_t cell = 0; policy->regions != NULL && cell < cells; cell++) {
     const bool is_free = qtr_grid_cost(&policy->grid, (qtr_cell)cell) > 0;
-    if (is_free && load16_le(policy->regions + 2 * cell) >= policy->board.starts) return QTR_ERR_CORRUPT;
+    const uint32_t region = region_of(policy, cell);
+    if (!is_free && region != QTR_POLICY_NO_REGION) return QTR_ERR_CORRUPT;
+    if (!is_free) continue;
+    if (region >= policy->board.starts) return QTR_ERR_CORRUPT;
+    if (region_of(policy, qtr_policy_cell(policy, policy->board.places + region)) != region) return QTR_ERR_CORRUPT;
   }
   return QTR_OK;
 }
@@ -123,9 +156,120 @@ static int check_records(const qtr_policy *policy) {
     if (r > 0 && compare_keys(record, key.word, policy->board.key_words) <= 0) return QTR_ERR_CORRUPT;
     for (unsigned w = 0; w < policy->board.key_words; w++) key.word[w] = load32_le(record + 4 * w);
     const uint32_t choice = load16_le(record + 4 * policy->board.key_words);
+    if (load16_le(record + 4 * policy->board.key_words + 2) != 0) return QTR_ERR_CORRUPT;
     if (choice >= policy->board.places && choice != QTR_STAND_DOWN) return QTR_ERR_CORRUPT;
   }
   return QTR_OK;
+}
+
+/* ---- opening: what the travel times say of one another ---- */
+
+static bool is_way(const qtr_policy *policy, uint32_t node, uint32_t place) {
+  return qtr_board_steps(&policy->board, node, place) != QTR_NEVER;
+}
+
+/* The first place that a node reaches; `places` if there is none. */
+static uint32_t first_in_reach(const qtr_policy *policy, uint32_t node) {
+  uint32_t place = 0;
+  while (place < policy->board.places && !is_way(policy, node, place)) place++;
+  return place;
+}
+
+/* Moves can be undone, so a map falls into parts: what lies in one part is in reach of one another, and of nothing else. A
+ * node thus reaches what the first place in its reach does, and two places reach each other or neither does. */
+static bool reach_agrees(const qtr_policy *policy, uint32_t node) {
+  const uint32_t places = policy->board.places;
+  const uint32_t first = first_in_reach(policy, node);
+  for (uint32_t place = 0; place < places; place++) {
+    const bool way = is_way(policy, node, place);
+    if (first < places && way != is_way(policy, first, place)) return false;
+    if (node < places && way != is_way(policy, place, node)) return false;
+  }
+  return true;
+}
+
+/* A way takes no time where it ends in the cell that it begins in, and nowhere else. No two places share a cell. */
+static bool times_fit_cells(const qtr_policy *policy, uint32_t node) {
+  const uint32_t places = policy->board.places;
+  for (uint32_t place = 0; place < places; place++) {
+    const bool is_here = qtr_policy_cell(policy, node) == qtr_policy_cell(policy, place);
+    if (is_here != (qtr_board_steps(&policy->board, node, place) == 0)) return false;
+    if (is_here && node < places && node != place) return false;
+  }
+  return true;
+}
+
+static bool some_seeker_reaches(const qtr_policy *policy, uint32_t place) {
+  const qtr_board *board = &policy->board;
+  for (unsigned i = 0; i < board->seekers; i++)
+    if (is_way(policy, (uint32_t)board->places + board->start_of[i], place)) return true;
+  return false;
+}
+
+static int check_travel(const qtr_policy *policy) {
+  const uint32_t places = policy->board.places;
+  for (uint32_t node = 0; node < places + policy->board.starts; node++)
+    if (!reach_agrees(policy, node) || !times_fit_cells(policy, node)) return QTR_ERR_TRAVEL;
+  for (uint32_t place = 0; place < places; place++)
+    if (!some_seeker_reaches(policy, place)) return QTR_ERR_TRAVEL;
+  return QTR_OK;
+}
+
+/* ---- opening: the certificate, by the bits of its doubles ---- */
+
+#define DOUBLE_ONE ((int64_t)0x3FF0000000000000)
+#define DOUBLE_NORMAL ((int64_t)0x0010000000000000) /* the least that has all its digits */
+#define DOUBLE_INFINITE ((int64_t)0x7FF0000000000000)
+
+/* A number that is ordered as the doubles are, with one 0; beyond DOUBLE_INFINITE are those that are none. */
+static int64_t rank_of(const qtr_policy *policy, uint32_t offset) {
+  const uint64_t bits = load64_le(policy->bytes + offset);
+  const int64_t magnitude = (int64_t)(bits & 0x7FFFFFFFFFFFFFFFu);
+  return bits >> 63 != 0 ? -magnitude : magnitude;
+}
+
+static bool is_finite(int64_t rank) {
+  return rank > -DOUBLE_INFINITE && rank < DOUBLE_INFINITE;
+}
+
+/* Open where, and only where, value and bound differ. Of values so small that they lose digits little is known. */
+static bool gap_agrees(int64_t gap, int64_t objective, int64_t bound, bool is_certified) {
+  if (gap < 0 || gap > DOUBLE_INFINITE || (is_certified && !is_finite(gap))) return false;
+  if (objective < DOUBLE_NORMAL) return true;
+  return is_finite(gap) && (gap == 0) == (objective == bound);
+}
+
+static bool is_amount(int64_t rank) {
+  return rank >= 0 && is_finite(rank);
+}
+
+static bool is_discount(int64_t rank) {
+  return rank > 0 && rank < DOUBLE_ONE;
+}
+
+/* Expected time's bound may lie below 0: stopped early, it may say nothing. */
+static int check_certificate(const qtr_policy *policy) {
+  const bool by_time = policy->bytes[QTR_POLICY_OBJECTIVE] != 0;
+  const int64_t value = rank_of(policy, QTR_POLICY_VALUE);
+  const int64_t time = rank_of(policy, QTR_POLICY_TIME);
+  const int64_t bound = rank_of(policy, QTR_POLICY_BOUND);
+  const int64_t gap = rank_of(policy, QTR_POLICY_GAP);
+  if (!is_discount(rank_of(policy, QTR_POLICY_GAMMA)) || !is_amount(value) || !is_amount(time) || !is_finite(bound))
+    return QTR_ERR_CERTIFICATE;
+  if (by_time ? bound > time : bound < value) return QTR_ERR_CERTIFICATE;
+  const bool agrees = gap_agrees(gap, by_time ? time : value, bound, policy->bytes[QTR_POLICY_CERTIFIED] != 0);
+  return agrees ? QTR_OK : QTR_ERR_CERTIFICATE;
+}
+
+/* ---- opening: the whole ---- */
+
+static int check_content(const qtr_policy *policy) {
+  static int (*const checks[])(const qtr_policy *) = {check_place_in_world, check_padding,    check_nodes,
+                                                      check_weights,        check_regions,    check_records,
+                                                      check_travel,         check_certificate};
+  int status = QTR_OK;
+  for (unsigned i = 0; i < sizeof checks / sizeof checks[0] && status == QTR_OK; i++) status = checks[i](policy);
+  return status;
 }
 
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id) {
@@ -135,9 +279,7 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
   if (status == QTR_OK) status = check_words(bytes);
   if (status == QTR_OK) status = read_dimensions(policy);
   if (status == QTR_OK) status = find_sections(policy, size);
-  if (status == QTR_OK) status = check_nodes(policy);
-  if (status == QTR_OK) status = check_regions(policy);
-  if (status == QTR_OK) status = check_records(policy);
+  if (status == QTR_OK) status = check_content(policy);
   if (status == QTR_OK && qtr_policy_digest(policy) != load32_le(policy->bytes + QTR_POLICY_DIGEST))
     status = QTR_ERR_SELFTEST;
   return status;
@@ -151,7 +293,7 @@ static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
   unsigned start = 0;
   if (cell >= cells || qtr_grid_cost(&policy->grid, cell) == 0) return policy->board.starts;
-  if (policy->regions != NULL) return load16_le(policy->regions + 2 * (uint32_t)cell);
+  if (policy->regions != NULL) return region_of(policy, cell);
   while (start < policy->board.starts && qtr_policy_cell(policy, policy->board.places + start) != cell) start++;
   return start;
 }

@@ -18,7 +18,9 @@ static const char *const texts[] = {"success",
                                     "a place is off the map, on an obstacle, or on another place's cell",
                                     "a weight is not a finite number above 0",
                                     "a place cannot be reached by any seeker",
-                                    "the discount leaves next to nothing of even the nearest place"};
+                                    "the discount leaves next to nothing of even the nearest place",
+                                    "the table's travel times contradict one another, or leave a place out of reach",
+                                    "the table's value, bound and gap are no numbers, or contradict one another"};
 
 const char *qtr_strerror(int status) {
   const int count = (int)(sizeof texts / sizeof texts[0]);

@@ -330,6 +330,10 @@ class BadInput(Case):
             for program in ("quarter-demo", "quarter-world"):
                 self.refuse([asked.programs / program, MISSION, "--table", table, *outputs], "part.qtr")
             self.refuse([asked.programs / "quarter-robot", table, "--robot", "0"], "part.qtr")
+        forged = Path(__file__).resolve().parents[1] / "data" / "forged" / "walled-off.qtr"
+        for program in ("quarter-demo", "quarter-world"):
+            self.refuse([asked.programs / program, MISSION, "--table", forged, *outputs], "walled-off.qtr", "no way")
+        self.refuse([asked.programs / "quarter-robot", forged, "--robot", "0"], "walled-off.qtr", "no way")
 
     def test_faults(self):
         for text, says in (("faults: [{at: 3, lost: 9}]", "9"), ("faults: [{at: 3}]", "lost"), ("faults: 7", "list"),
