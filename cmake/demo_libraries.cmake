@@ -1,4 +1,4 @@
-# Gives the demo LCM (target lcm, the program lcm-gen, lcm_wrap_types()) and Box2D (target box2d::box2d): copies that
+# Gives the demo LCM (target lcm, the program lcm-gen) and Box2D (target box2d::box2d): copies that
 # find_package finds, or else the wheels pinned in requirements-demo.txt.
 include(${CMAKE_CURRENT_LIST_DIR}/pip.cmake)
 
@@ -29,7 +29,6 @@ endif()
 if(NOT box2d_FOUND)
   find_package(box2d CONFIG REQUIRED PATHS ${QUARTER_DEMO_WHEELS}/lib64/cmake/box2d NO_DEFAULT_PATH)
 endif()
-include(${LCM_USE_FILE})
 
 # Where LCM's programs lie: lcm-logger, lcm-logplayer and others.
 get_target_property(programs lcm-gen LOCATION)

@@ -201,7 +201,7 @@ static void bench_large(void) {
 
 static void bench_clone(void) {
   fflush(stdout);
-  if (system("bash " QUARTER_SOURCE_DIR "/tests/bench/clone.sh " QUARTER_SOURCE_DIR) != 0)
+  if (system("bash '" QUARTER_SOURCE_DIR "/tests/bench/clone.sh' '" QUARTER_SOURCE_DIR "'") != 0)
     printf("clone to certified policy: failed\n");
 }
 

@@ -5,7 +5,9 @@ itself stays outside. All processes that were started in it end with it.
 """
 
 import contextlib
+import functools
 import os
+import shutil
 import signal
 import socket
 import struct
@@ -13,7 +15,10 @@ import subprocess
 import sys
 import threading
 import time
+import unittest
 from pathlib import Path
+
+os.environ["PATH"] += ":/usr/sbin:/sbin"  # of ip and nft; not every user looks there
 
 GROUP = "239.255.76.67"
 PORT = 7667
@@ -36,6 +41,16 @@ def until(holds, seconds, what):
         if time.monotonic() > end:
             raise AssertionError(f"after {seconds} s: {what() if callable(what) else what}")
         time.sleep(0.01)
+
+
+@functools.lru_cache
+def refusal(namespaces="-rn", tools=("ip",)):
+    """Why these namespaces (unshare's words) or tools are not to be had here; "" where they are."""
+    missing = [tool for tool in ("unshare", *tools) if shutil.which(tool) is None]
+    if missing:
+        return f"{' and '.join(missing)} missing: install util-linux, iproute2 and nftables"
+    tried = subprocess.run(["unshare", namespaces, "true"], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    return f"user namespaces are forbidden here ({tried.stderr.strip()})" if tried.returncode else ""
 
 
 class Program:
@@ -94,6 +109,8 @@ class Program:
 
 class Network:
     def __init__(self, loss=0, multicast=True):
+        if reason := refusal(tools=("ip", "nft") if loss > 0 else ("ip",)):
+            raise unittest.SkipTest(reason)
         setup = [LOOPBACK] + [MULTICAST] * multicast + [LOSS % (PORT, loss)] * (loss > 0)
         self.ours, theirs = socket.socketpair()
         self.ours.settimeout(20)
@@ -106,7 +123,7 @@ class Network:
              str(theirs.fileno())], pass_fds=[theirs.fileno()], stdin=subprocess.DEVNULL, start_new_session=True)
         theirs.close()
         if self.ours.recv(1) != b"+":
-            raise AssertionError("no network namespace: unshare, ip and nft must be there, and allowed")
+            raise AssertionError("no network namespace, although they are allowed")
         self.name = os.readlink(f"/proc/{self.holder.pid}/ns/net")
 
     def __enter__(self):

@@ -1,6 +1,8 @@
 """Tests that wait most of the time, run side by side."""
 
+import collections
 import concurrent.futures
+import sys
 import unittest
 
 
@@ -8,8 +10,20 @@ AT_ONCE = 12
 
 
 class Runner(unittest.TextTestRunner):
+    """Tests side by side. Where all were skipped, status 77."""
+
     def run(self, test):
-        return super().run(SideBySide(flatten(test)))
+        result = super().run(SideBySide(flatten(test)))
+        tell_skipped(result)
+        return result
+
+
+def tell_skipped(result):
+    """A line for each reason why tests were skipped, which `./run test` shows; ends with 77 if there were no others."""
+    for reason, times in collections.Counter(reason for _, reason in result.skipped).items():
+        print(f"SKIPPED: {times} of {result.testsRun} cases: {reason}", flush=True)
+    if result.skipped and len(result.skipped) == result.testsRun and result.wasSuccessful():
+        sys.exit(77)
 
 
 def flatten(suite):

@@ -21,6 +21,11 @@ import time
 import unittest
 from pathlib import Path
 
+sys.dont_write_bytecode = True  # a test leaves nothing in the checkout
+
+import network  # noqa: E402
+from side_by_side import tell_skipped  # noqa: E402
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 BRIDGE = ROOT / "tools" / "bridge"
 MISSION = ROOT / "demo" / "missions" / "turtlebot3_world" / "mission.yaml"
@@ -29,7 +34,7 @@ LOOPBACK = "ip link set lo up && ip link set lo multicast on && ip route add 224
 URL = "udpm://239.255.76.67:7667?ttl=0"
 
 asked = argparse.Namespace()
-without_rerun = unittest.skipIf("--no-rerun" in sys.argv, "told --no-rerun")
+without_rerun = unittest.skipIf("--no-rerun" in sys.argv, "Rerun is a download of 260 MB: -DQUARTER_TEST_RERUN=ON")
 
 
 def find_lcm_gen():
@@ -397,6 +402,11 @@ class TestRefusals(Bridge):
 
 
 class TestLive(Bridge):
+    def setUp(self):
+        if reason := network.refusal():
+            self.skipTest(reason)
+        super().setUp()
+
     def in_namespace(self, script, *words, **how):
         return subprocess.run(["unshare", "-rn", "sh", "-c", script, "sh", *map(str, words)], capture_output=True,
                               text=True, timeout=60, **how)
@@ -495,7 +505,9 @@ def main():
     if asked.quarter is None:
         sys.exit("test_bridge.py: no quarter; name it: --quarter PATH")
     asked.quarter = str(Path(asked.quarter).resolve())
-    unittest.main(argv=[sys.argv[0], *rest])
+    result = unittest.main(argv=[sys.argv[0], *rest], exit=False).result
+    tell_skipped(result)
+    sys.exit(not result.wasSuccessful())
 
 
 if __name__ == "__main__":

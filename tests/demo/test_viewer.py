@@ -486,7 +486,7 @@ if __name__ == "__main__":
     if len(sys.argv) < 3:
         sys.exit(__doc__)
     if webdriver.installed() is None:
-        print("SKIPPED: the replay page in a browser: there is no chromium with a chromedriver")
+        print("SKIPPED: the replay page in a browser: there is no chromium with a chromedriver (Ubuntu's packages of these names are stubs)")
         sys.exit(77)
     template, sample = sys.argv[1:3]
     TEMPLATE = pathlib.Path(template).read_text(encoding="utf-8")

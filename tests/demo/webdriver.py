@@ -4,6 +4,7 @@ What a test waits for the page itself looks for, and says when it has come.
 """
 
 import base64
+import functools
 import json
 import os
 import pathlib
@@ -32,11 +33,19 @@ ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the key that the protocol wra
 KEYS = {"space": " ", "end": "\ue010", "home": "\ue011", "left": "\ue012", "right": "\ue014", "shift": "\ue008"}
 
 
+def runs(program):
+    """Whether a program of that name is there and runs: Ubuntu has stubs, which only name another package."""
+    if shutil.which(program) is None:
+        return False
+    return subprocess.run([program, "--version"], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL).returncode == 0
+
+
+@functools.lru_cache
 def installed():
     """The paths of a browser and its driver; None where one is missing."""
-    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
-    driver = shutil.which("chromedriver")
-    return (browser, driver) if browser and driver else None
+    browser = next(filter(runs, BROWSERS), None)
+    return (shutil.which(browser), shutil.which("chromedriver")) if browser and runs("chromedriver") else None
 
 
 # Whether the condition holds is looked at now and with every frame that the page draws: whatever shows is in one of them.

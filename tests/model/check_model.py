@@ -105,7 +105,8 @@ def build(tools, folder, defines, claims, long):
     """Build pan in `folder`. With claims it checks properties, without them that every run comes to rest. Optimising takes
     longer than a search gains by it, unless it is a long one."""
     folder.mkdir(parents=True, exist_ok=True)
-    status, output = call([tools.spin, *(f"-D{d}" for d in defines), "-a", str(MODEL)], folder)
+    shutil.copy(MODEL, folder)  # Spin hands the name to a shell, as it is
+    status, output = call([tools.spin, *(f"-D{d}" for d in defines), "-a", MODEL.name], folder)
     if status == 0:
         flags = ["-O1" if long else "-O0", "-w", "-DNOREDUCE", "-DNFAIR=3", f"-DMEMLIM={MEMORY_MB}"] + ([] if claims else ["-DNOCLAIM"])
         status, output = call([tools.cc, *flags, "-o", "pan", "pan.c"], folder)
