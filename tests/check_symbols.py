@@ -14,8 +14,9 @@ MEMORY = {"memcpy", "memmove", "memset", "memcmp"}
 MATHS = {"ceil", "exp", "exp2", "expm1", "fabs", "floor", "fmax", "fmin", "fmod", "frexp", "ldexp", "log", "log1p"}
 MATHS |= {"log2", "nextafter", "pow", "round", "sqrt", "trunc"}
 MATHS |= {name + "f" for name in MATHS}
-# What compilers call on their own account: stack protector, position-independent code, integer arithmetic.
-COMPILER = re.compile(r"__stack_chk_\w+|_GLOBAL_OFFSET_TABLE_|__aeabi_\w+|__(?:u|)(?:div|mod|mul|ashl|ashr|lshr)\w*[dt]i\d")
+# What compilers call on their own account: stack protector, memory functions that check (Ubuntu's by default), position-
+# independent code, integer arithmetic.
+COMPILER = re.compile(r"__mem(?:cpy|move|set)_chk|__stack_chk_\w+|_GLOBAL_OFFSET_TABLE_|__aeabi_\w+|__(?:u|)(?:div|mod|mul|ashl|ashr|lshr)\w*[dt]i\d")
 SANITIZER = re.compile(r"__(?:asan|ubsan|lsan)_\w+")
 WRITABLE = re.compile(r"\.(?:data|bss|tdata|tbss)(?!\.rel\.ro)|\*COM\*")
 
@@ -60,6 +61,8 @@ def prove_that_it_fails():
         [
             ("nothing", ("robot", listing(own, symbol("memcpy", "U", "*UND*")), set(), False), 0),
             ("a table of pointers", ("robot", listing(symbol("names", "d", ".data.rel.ro.local")), set(), False), 0),
+            ("a memory function that checks", ("robot", listing(own, symbol("__memcpy_chk", "U", "*UND*")), set(), False), 0),
+            ("output that checks", ("learn", listing(own, symbol("__printf_chk", "U", "*UND*")), set(), False), 1),
             ("the heap", ("robot", listing(own, symbol("malloc", "U", "*UND*")), set(), False), 1),
             ("the learner side", ("robot", listing(own, symbol("qtr_learn", "U", "*UND*")), set(), False), 1),
             ("mathematics on the robot side", ("robot", listing(symbol("sqrt", "U", "*UND*")), set(), False), 1),

@@ -16,7 +16,7 @@ expect() {
 # The library is named first in a list that fills any pipe: who stops reading there leaves the writer to die.
 test_a_library_that_is_there_is_found_every_time() {
   local missing=0 _
-  { printf '\tlibglib-2.0.so.0 (libc6,x86-64) => /lib/libglib-2.0.so.0\n' && printf '\tlib%s.so\n' {1..20000}; } >libraries
+  { printf '\tlibglib-2.0.so.0 (libc6,x86-64) => /lib/libglib-2.0.so.0\n' && printf '\tlib%s.so\n' {1..5000}; } >libraries
   ldconfig() { cat libraries; }
   for _ in {1..300}; do has_library libglib-2.0.so.0 || missing=$((missing + 1)); done
   has_library libglib-3.0.so.0 && missing=absent
@@ -53,7 +53,7 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
 test_without_root_one_line_to_paste_names_all() {
   local missing=(cmake libyaml-dev) tools=(spin) said
   find_root() { return 1; }
-  said=$(install_missing 2>&1)
+  said=$(install_missing 2>&1) && expect "without root" "gone on" "given up"
   expect "lines to paste" "$(grep -c 'apt-get install' <<<"$said")" 1
   expect "the line" "$(grep 'apt-get install' <<<"$said")" \
     "As root: apt-get update && apt-get install -y --no-install-recommends cmake libyaml-dev spin"
@@ -98,6 +98,30 @@ test_the_demo_takes_paths_from_the_users_folder() {
   expect "status of the demo" "$status" 0
   expect "the page" "$(ls "user's folder")" "own map.txt
 own page.html"
+}
+
+test_a_checkout_under_an_odd_path_has_a_plain_name_always_the_same() {
+  local odd="$here/Müller's \"robot\" \$HOME (v2)" name
+  mkdir -p "$odd"
+  expect "a plain path" "$(plain_name /usr/lib)" /usr/lib
+  name=$(plain_name "$odd")
+  expect "odd letters in the name" "${name//[a-zA-Z0-9\/._+-]/}" ""
+  expect "where the name leads" "$(cd "$name" && pwd -P)" "$(cd "$odd" && pwd -P)"
+  expect "the name again" "$(plain_name "$odd")" "$name"
+  ln -sfn /usr "$name"
+  expect "the name of a link that led astray" "$(readlink "$(plain_name "$odd")")" "$odd"
+  rm "$name" && rmdir "${name%/*}"
+}
+
+test_a_name_that_another_could_have_made_is_refused() {
+  local odd="$here/a b" name
+  mkdir -p "$odd"
+  name=$(plain_name "$odd")
+  rm "$name" && rmdir "${name%/*}"
+  ln -s "$here" "${name%/*}"
+  plain_name "$odd" >said.txt 2>&1 && expect "a link in the place of the folder" taken refused
+  rm "${name%/*}"
+  return 0
 }
 
 for name in $(compgen -A function test_); do

@@ -25,7 +25,7 @@ trap clean_up EXIT
 locale_of() {
   mkdir -p "$work/locale"
   [ -d "$work/locale/$1.UTF-8" ] || localedef -i "$1" -f UTF-8 "$work/locale/$1.UTF-8"
-  export LOCPATH=$work/locale LC_ALL=$1.UTF-8
+  with+=(env "LOCPATH=$work/locale" "LC_ALL=$1.UTF-8")
 }
 
 clone_elsewhere() {
