@@ -7,6 +7,8 @@
 #include "live.h"
 #include "quarter/seeker.h"
 
+#define BEHIND 1000000 /* microseconds: an older message came late, one older than that is of another game */
+
 /* What was seen so far: from what is new in a message the events are made. */
 typedef struct {
   const plan *p;
@@ -14,9 +16,10 @@ typedef struct {
   live *view;
   int robots;
   world_pose pose[WORLD_MOST_ROBOTS];
+  int64_t tick; /* utime of the last pose; below 0: none came */
   message_status last;
-  bool known; /* `last` holds something */
   bool done[WORLD_MOST_ROBOTS];
+  bool warned; /* of another mission's game */
 } follower;
 
 static double seconds(int64_t utime) {
@@ -28,22 +31,23 @@ static void tell(follower *f, int64_t utime, int kind, int robot, int place, int
   live_event(f->view, &e);
 }
 
+/* A frame is whole when the next moment's poses begin to come: of a robot that is lost there are none. */
 static void hear_pose(void *user, const message_pose *m) {
   follower *f = user;
+  if (f->tick >= 0 && m->utime != f->tick) live_frame(f->view, seconds(f->tick), f->robots, f->g.grid.rows, f->pose);
+  f->tick = m->utime;
   f->pose[m->robot] = (world_pose){ground_point(&f->g, m->x, m->y), m->heading};
-  if (m->robot == f->robots - 1) live_frame(f->view, seconds(m->utime), f->robots, f->g.grid.rows, f->pose);
 }
 
 static void hear_terminate(void *user, const message_terminate *m) {
   follower *f = user;
-  if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory < 0 || m->territory >= f->robots) return;
+  if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory >= f->robots || m->sender >= f->robots) return;
   if (!f->done[m->territory]) tell(f, m->utime, EVENT_DONE, m->sender, -1, m->territory);
   f->done[m->territory] = true;
 }
 
 static void compare_places(follower *f, const message_status *m) {
-  const int places = f->p->t.policy.board.places;
-  for (int place = 0; place < m->places && place < places; place++)
+  for (int place = 0; place < m->places; place++)
     if (m->scanned_by[place] >= 0 && f->last.scanned_by[place] < 0)
       tell(f, m->utime, m->found[place] ? EVENT_FOUND : EVENT_SCANNED, m->scanned_by[place], place, -1);
 }
@@ -53,24 +57,46 @@ static void compare_robots(follower *f, const message_status *m) {
                               [STATE_STOPPED] = EVENT_STOPPED,
                               [STATE_LOST] = EVENT_LOST,
                               [STATE_STUCK] = EVENT_STUCK};
-  for (int i = 0; i < m->robots && i < f->robots; i++) {
-    if (m->state[i] == f->last.state[i] || m->state[i] < STATE_ALIVE || m->state[i] > STATE_STUCK) continue;
+  for (int i = 0; i < m->robots; i++) {
+    if (m->state[i] == f->last.state[i]) continue;
     tell(f, m->utime, kinds[m->state[i]], i, -1, -1);
   }
 }
 
-/* A clock that goes back is another game. */
+static point start_of(const follower *f, int robot) {
+  const qtr_policy *policy = &f->p->t.policy;
+  return ground_centre(&f->g, qtr_policy_cell(policy, (unsigned)policy->board.places + policy->board.start_of[robot]));
+}
+
+static void forget(follower *f) {
+  memset(&f->last, 0, sizeof f->last);
+  memset(f->last.scanned_by, -1, sizeof f->last.scanned_by);
+  memset(f->done, 0, sizeof f->done);
+  for (int i = 0; i < f->robots; i++) f->pose[i] = (world_pose){start_of(f, i), 0.0};
+  f->tick = -1;
+  live_restart(f->view);
+}
+
+static bool is_ours(follower *f, const message_status *m) {
+  const int places = f->p->t.policy.board.places;
+  if (m->robots == f->robots && m->places == places) return true;
+  if (!f->warned)
+    fprintf(stderr, "quarter-demo: a game of %d robots and %d places is on this bus, not of %s; it is not shown\n",
+            m->robots, m->places, f->p->name);
+  f->warned = true;
+  return false;
+}
+
 static void hear_status(void *user, const message_status *m) {
   follower *f = user;
-  if (!f->known || m->utime < f->last.utime) {
-    memset(&f->last, 0, sizeof f->last);
-    memset(f->last.scanned_by, -1, sizeof f->last.scanned_by);
-    memset(f->done, 0, sizeof f->done);
+  if (!is_ours(f, m)) return;
+  if (m->utime < f->last.utime) {
+    if (f->last.utime - m->utime <= BEHIND) return;
+    forget(f);
   }
   compare_places(f, m);
   compare_robots(f, m);
   f->last = *m;
-  f->known = true;
 }
 
 int follow(const settings *s, const plan *p, const volatile int *interrupted, fault *why) {
@@ -79,6 +105,7 @@ int follow(const settings *s, const plan *p, const volatile int *interrupted, fa
   if (bus_open(&b, s->lcm_url, why) != 0) return -1;
   int status = live_open(&f.view, s->port, why);
   if (status == 0) {
+    forget(&f);
     live_hello(f.view, p, &(record_head){s->seed, s->clear_all, -1});
     for (int i = 0; i < f.robots; i++) bus_hear_pose(b, i, hear_pose, &f);
     bus_hear_terminate(b, hear_terminate, &f);

@@ -11,6 +11,9 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "arena.h"
+#include "patience.h"
+#include "progress.h"
 #include "world.h"
 
 #define WORDS_MOST 40
@@ -19,8 +22,10 @@ typedef struct {
   char folder[PATH_MAX]; /* of the programs */
   char table[PATH_MAX];  /* a file of the policy table, for all of them */
   pid_t world;
-  pid_t robot[WORLD_MOST_ROBOTS];
+  pid_t robot[WORLD_MOST_ROBOTS]; /* 0: it has ended */
   int robots;
+  bool abandoned; /* all robots' processes ended before the world's */
+  double since;   /* when they had */
 } crew;
 
 /* ---- starting ---- */
@@ -40,8 +45,7 @@ static int write_table(crew *c, const plan *p, fault *why) {
   const int file = mkstemp(c->table);
   if (file < 0) return fault_set(why, "%s: cannot be written: %s", c->table, strerror(errno));
   const ssize_t written = write(file, p->t.bytes.data, p->t.bytes.size);
-  close(file);
-  if (written == (ssize_t)p->t.bytes.size) return 0;
+  if (close(file) == 0 && written == (ssize_t)p->t.bytes.size) return 0;
   unlink(c->table);
   return fault_set(why, "%s: cannot be written whole; is the disk full?", c->table);
 }
@@ -136,23 +140,36 @@ static void end_robots(crew *c) {
 }
 
 static void note_end_of_robot(crew *c, pid_t child, int status) {
+  int left = 0;
   for (int i = 0; i < c->robots; i++) {
-    if (c->robot[i] != child) continue;
-    c->robot[i] = 0;
-    fprintf(stderr, "quarter-demo: robot %d's process ended (%s %d)\n", i, WIFSIGNALED(status) ? "signal" : "status",
-            WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+    if (c->robot[i] == child) {
+      c->robot[i] = 0;
+      fprintf(stderr, "quarter-demo: robot %d's process ended (%s %d)\n", i, WIFSIGNALED(status) ? "signal" : "status",
+              WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+    }
+    left += c->robot[i] > 0;
   }
+  if (left > 0) return;
+  c->abandoned = true;
+  c->since = clock_seconds();
+}
+
+/* A world without robots finds that out, and ends whole. One that is stopped finds out nothing. */
+static void hurry(const crew *c, double speed) {
+  const double patience = ARENA_SILENCE / (speed > 0.0 ? speed : 1.0) + PATIENCE_END;
+  if (c->abandoned && clock_seconds() - c->since > patience) kill(c->world, SIGKILL);
 }
 
 /* Until the world ends. Returns its wait status. Looks every now and then, for an interrupt that comes just before a wait
  * would be waited through. */
-static int watch(crew *c, const volatile int *interrupted) {
+static int watch(crew *c, double speed, const volatile int *interrupted) {
   const struct timespec soon = {0, 20000000};
   bool told = false;
   for (;;) {
     int status = 0;
     if (*interrupted != 0 && !told) kill(c->world, SIGINT);
     told = *interrupted != 0;
+    hurry(c, speed);
     const pid_t child = waitpid(-1, &status, WNOHANG);
     if (child == c->world) return status;
     if (child > 0) note_end_of_robot(c, child, status);
@@ -161,15 +178,25 @@ static int watch(crew *c, const volatile int *interrupted) {
   }
 }
 
+/* The exit status that the world's wait status makes, with *why set if it is not 0. */
+static int judge(const crew *c, int status, bool interrupted, fault *why) {
+  const int ended = status >= 0 && WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_BROKEN_OFF;
+  if (ended == 0 || (interrupted && ended != EXIT_BAD_INPUT)) return 0;
+  if (c->abandoned)
+    fault_set(why, "the game was broken off: all robots' processes ended before the world's (see above)");
+  else
+    fault_set(why, "the world's process did not end well (see above)");
+  return ended == EXIT_BAD_INPUT ? EXIT_BAD_INPUT : EXIT_BROKEN_OFF;
+}
+
 int launch(const settings *s, const plan *p, const volatile int *interrupted, fault *why) {
   crew c = {.robots = p->t.policy.board.seekers};
-  if (find_programs(&c, why) != 0 || write_table(&c, p, why) != 0) return -1;
+  if (find_programs(&c, why) != 0 || write_table(&c, p, why) != 0) return EXIT_BAD_INPUT;
   fflush(NULL);
   c.world = start_world(&c, s);
   for (int i = 0; i < c.robots; i++) c.robot[i] = start_robot(&c, s, i);
-  const int status = c.world > 0 ? watch(&c, interrupted) : -1;
+  const int status = c.world > 0 ? watch(&c, s->speed, interrupted) : -1;
   end_robots(&c);
   unlink(c.table);
-  if (*interrupted != 0 || (status >= 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0)) return 0;
-  return fault_set(why, "the world's process did not end well (see above)");
+  return judge(&c, status, *interrupted != 0, why);
 }

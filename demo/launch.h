@@ -6,7 +6,7 @@
 #include "settings.h"
 
 /* Play it, all processes on the settings' bus. The world writes replay, log and outcome. When it ends, however it ends, the
- * robots are ended; when interrupted, the world is asked to finish first. 0, or -1 with *why set. */
+ * robots are ended; when interrupted, the world is asked to finish first. The exit status: 0, or another with *why set. */
 int launch(const settings *s, const plan *p, const volatile int *interrupted, fault *why);
 
 #endif

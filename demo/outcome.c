@@ -45,6 +45,8 @@ int outcome_print(const plan *p, const game_result *result, const settings *s, f
     write_outcome(out.file, p, result, s);
     if (outfile_commit(&out, why) != 0) return -1;
   }
-  if (!s->quiet && !(s->json && s->json_path == NULL)) tell_outcome(stdout, p, result, s);
-  return 0;
+  if (s->quiet || (s->json && s->json_path == NULL)) return 0;
+  if (outfile_open(&out, "-", why) != 0) return -1;
+  tell_outcome(out.file, p, result, s);
+  return outfile_commit(&out, why);
 }

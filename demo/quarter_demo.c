@@ -10,6 +10,10 @@
 #include "live.h"
 #include "outcome.h"
 #include "outfile.h"
+#include "outputs.h"
+#include "patience.h"
+#include "printing.h"
+#include "quarter/status.h"
 #include "record.h"
 #include "runs.h"
 #include "settings.h"
@@ -41,8 +45,12 @@ static const char help[] =
     "      --strategy WHAT      plan (default); to compare: nearest (no plan), informed (no plan, full communication)\n"
     "      --json[=FILE]        print the outcome as JSON, or write it to FILE\n"
     "  -q, --quiet              say nothing but JSON\n"
+    "      --version            print it\n"
     "\n"
-    "Exit status: 0 done; 2 bad input; 130 ended by Ctrl-C, replay and log whole.\n";
+    "Exit status: 0 done; 2 bad input, or an output that cannot be written; 3 a game of --processes was broken off, "
+    "for "
+    "world\n"
+    "or robots fell silent; 130 ended by Ctrl-C, replay and log whole.\n";
 
 static volatile int interrupted;
 static plan p;
@@ -195,36 +203,33 @@ static int play_many(const settings *s, const fault_script *faults, fault *why) 
 
 /* ---- the command ---- */
 
-/* The plan is made: what is asked for. */
+/* The plan is made: what is asked for. The exit status, with *why set if it is not 0; so below. */
 static int play_as_asked(const settings *s, const fault_script *faults, fault *why) {
   if (s->processes) return launch(s, &p, &interrupted, why);
-  if (s->follow) return follow(s, &p, &interrupted, why);
-  return s->runs > 0 ? play_many(s, faults, why) : play(s, faults, why);
+  int status = 0;
+  if (s->follow)
+    status = follow(s, &p, &interrupted, why);
+  else
+    status = s->runs > 0 ? play_many(s, faults, why) : play(s, faults, why);
+  return status == 0 ? 0 : EXIT_BAD_INPUT;
 }
 
 static int run_plan(const settings *s, fault *why) {
   const int robots = p.t.policy.board.seekers;
   const int places = p.t.policy.board.places;
   fault_script faults = {0};
-  if (s->faults != NULL && faults_read(&faults, s->faults, robots, why) != 0) return -1;
-  if (s->mine >= places)
-    return fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
+  if (s->faults != NULL && faults_read(&faults, s->faults, robots, why) != 0) return EXIT_BAD_INPUT;
+  if (s->mine >= places) {
+    fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
+    return EXIT_BAD_INPUT;
+  }
   if (s->lose_one && s->runs == 0) runs_draw_loss(&faults, &p, s->seed);
   return play_as_asked(s, &faults, why);
 }
 
-/* Whether the page can be written, found out before the game and not after it. */
-static int check_output(const settings *s, fault *why) {
-  outfile out;
-  if (s->replay == NULL) return 0;
-  if (outfile_open(&out, s->replay, why) != 0) return -1;
-  outfile_abort(&out);
-  return 0;
-}
-
 static int run(const settings *s, fault *why) {
-  if (check_output(s, why) != 0) return -1;
-  if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, s->save, why) != 0) return -1;
+  if (outputs_check(s, why) != 0) return EXIT_BAD_INPUT;
+  if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, s->save, why) != 0) return EXIT_BAD_INPUT;
   const int status = run_plan(s, why);
   plan_free(&p);
   return status;
@@ -234,8 +239,11 @@ int main(int argc, char **argv) {
   static settings s;
   fault why;
   if (settings_parse(&s, argc, argv, &why) != 0) return fault_exit(&why);
-  if (s.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (s.help) return print_whole("quarter-demo", help);
+  if (s.version) return print_whole("quarter-demo", "quarter-demo " QTR_VERSION_STRING "\n");
   catch_interrupts();
-  if (run(&s, &why) != 0) return fault_exit(&why);
-  return interrupted != 0 ? interrupted : EXIT_SUCCESS;
+  const int status = run(&s, &why);
+  if (status == 0) return interrupted != 0 ? interrupted : EXIT_SUCCESS;
+  fault_exit(&why);
+  return status;
 }

@@ -7,12 +7,13 @@
 #include <time.h>
 
 #include "bus.h"
+#include "patience.h"
+#include "printing.h"
+#include "quarter/status.h"
 #include "table_check.h"
 #include "wiring.h"
 
 #define TABLE_MOST (64u << 20)
-#define PATIENCE 15 /* seconds for a world to show itself */
-#define SILENCE 5   /* seconds without one after which it is gone */
 
 static const char help[] =
     "quarter-robot mission.qtr --robot 0         robot 0 of the table's, on the bus that LCM_DEFAULT_URL names\n"
@@ -22,13 +23,15 @@ static const char help[] =
     "      --robot N       which robot, from 0\n"
     "      --lcm-url URL   the bus (default: LCM_DEFAULT_URL, or udpm on this machine)\n"
     "      --clear-all     a find stops nobody\n"
+    "      --version       print it\n"
     "\n"
-    "Exit status: 0 its world is over; 2 bad input; 3 no world on the bus.\n";
+    "Exit status: 0 its search is over; 2 bad input; 3 no world on the bus, or it fell silent before the search was "
+    "over.\n";
 
 typedef struct {
   const char *table, *url;
   int self;
-  bool clear_all;
+  bool clear_all, version;
 } words;
 
 static volatile sig_atomic_t ended;
@@ -48,23 +51,38 @@ static int complain(const char *what, const char *why) {
 
 /* ---- the bus ---- */
 
-/* Until the world is over. Its exit status. */
+static double now_seconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* A world ends without a word. What it leaves is a robot that has stopped, or one that is still on its way. */
+static int judge(void) {
+  if (robot_stopped(&self)) return 0;
+  fprintf(stderr,
+          "quarter-robot: robot %d: its world has been silent for %.0f s, and its search is not over: look why "
+          "quarter-world stopped\n",
+          self.self, PATIENCE_SILENCE);
+  return EXIT_BROKEN_OFF;
+}
+
+/* Until the world is over. The exit status. */
 static int run(bus *b, const words *w) {
-  const time_t begin = time(NULL);
-  time_t last_heard = 0;
+  double last = now_seconds();
   uint64_t poses = 0;
   robot_init(&self, &policy, w->self, w->clear_all, robot_pilot_of_plan(&seeker), wiring_voice(b));
   wiring_listen(b, &self);
   while (!ended) {
     bus_wait(b, 100);
-    const time_t now = time(NULL);
-    if (self.poses != poses) last_heard = now;
+    const double now = now_seconds();
+    if (self.poses != poses) last = now;
     poses = self.poses;
-    if (last_heard == 0 && now - begin > PATIENCE) {
+    if (poses == 0 && now - last > PATIENCE_GATHER) {
       complain("no world on this bus", "start quarter-world first, on the same --lcm-url");
-      return 3;
+      return EXIT_BROKEN_OFF;
     }
-    if (last_heard != 0 && now - last_heard > SILENCE) break;
+    if (poses > 0 && now - last > PATIENCE_SILENCE) return judge();
   }
   return 0;
 }
@@ -88,11 +106,10 @@ static int number_of(const char *text) {
 }
 
 static int parse(words *w, int argc, char **argv) {
-  static const struct option longs[] = {{"robot", required_argument, NULL, 'r'},
-                                        {"lcm-url", required_argument, NULL, 'u'},
-                                        {"clear-all", no_argument, NULL, 'c'},
-                                        {"help", no_argument, NULL, 'h'},
-                                        {NULL, 0, NULL, 0}};
+  static const struct option longs[] = {
+      {"robot", required_argument, NULL, 'r'}, {"lcm-url", required_argument, NULL, 'u'},
+      {"clear-all", no_argument, NULL, 'c'},   {"help", no_argument, NULL, 'h'},
+      {"version", no_argument, NULL, 'v'},     {NULL, 0, NULL, 0}};
   int letter;
   *w = (words){.self = -1};
   while ((letter = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
@@ -100,6 +117,7 @@ static int parse(words *w, int argc, char **argv) {
     case 'r': w->self = number_of(optarg); break;
     case 'u': w->url = optarg; break;
     case 'c': w->clear_all = true; break;
+    case 'v': w->version = true; return 1;
     default: return letter == 'h' ? 1 : -1;
     }
   }
@@ -113,9 +131,10 @@ int main(int argc, char **argv) {
   bus *b;
   fault why;
   const int asked = parse(&w, argc, argv);
-  if (asked != 0) {
-    fputs(help, asked > 0 ? stdout : stderr);
-    return asked > 0 ? 0 : 2;
+  if (asked > 0) return print_whole("quarter-robot", w.version ? "quarter-robot " QTR_VERSION_STRING "\n" : help);
+  if (asked < 0) {
+    fputs(help, stderr);
+    return 2;
   }
   void *bytes = read_whole(w.table, &size);
   if (bytes == NULL) return complain(w.table, "cannot be read");

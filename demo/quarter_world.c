@@ -5,12 +5,15 @@
 #include <string.h>
 
 #include "outcome.h"
+#include "outputs.h"
+#include "patience.h"
+#include "printing.h"
 #include "progress.h"
+#include "quarter/status.h"
 #include "record.h"
 #include "settings.h"
 
-#define LISTEN 0.7    /* seconds for another world to give itself away */
-#define PATIENCE 15.0 /* seconds for all robots to answer */
+#define LISTEN 0.7 /* seconds for another world to give itself away */
 
 static const char help[] =
     "quarter-world MISSION --table mission.qtr       the world of a mission, for robots in processes of their own\n"
@@ -21,9 +24,11 @@ static const char help[] =
     "\n"
     "Options, as of quarter-demo: -o, --log, --seed, --mine, --clear-all, --faults, --robots, --table, --speed, "
     "--lcm-url,\n"
-    "--json, --quiet.\n"
+    "--json, --quiet, --version.\n"
     "\n"
-    "Exit status: 0 the game is over; 2 bad input, no robots, or another world on the bus; 130 ended by Ctrl-C.\n";
+    "Exit status: 0 the game is over; 2 bad input, no robots, another world on the bus, or an output that cannot be "
+    "written;\n"
+    "3 broken off, replay and log whole: its robots fell silent; 130 ended by Ctrl-C, replay and log whole.\n";
 
 static volatile int interrupted;
 static plan p;
@@ -57,7 +62,7 @@ static void serve_until(bus *b, double end) {
 }
 
 static int gather(bus *b, fault *why) {
-  const double end = clock_seconds() + PATIENCE;
+  const double end = clock_seconds() + PATIENCE_GATHER;
   int missing = 0;
   while (clock_seconds() < end && interrupted == 0) {
     arena_publish(&a);
@@ -70,12 +75,15 @@ static int gather(bus *b, fault *why) {
                    missing);
 }
 
-/* Ticks keep to the clock, but after a hold-up time is not made up for: in a burst of ticks no robot could answer. */
-static void play(bus *b, record *r, double speed) {
+/* Ticks keep to the clock, but after a hold-up time is not made up for: in a burst of ticks no robot could answer. Returns
+ * the longest hold-up, in seconds. */
+static double play(bus *b, record *r, double speed) {
   const double tick = ARENA_TICK / speed;
   double due = clock_seconds();
-  while (!arena_over(&a) && interrupted == 0) {
+  double held = 0.0;
+  while (!arena_over(&a) && interrupted == 0 && !bus_log_failed(b)) {
     const double now = clock_seconds();
+    if (now - due > held) held = now - due;
     due = due + tick > now + tick / 2 ? due + tick : now + tick;
     arena_publish(&a);
     serve_until(b, due);
@@ -83,45 +91,81 @@ static void play(bus *b, record *r, double speed) {
     record_watch(r, &a);
   }
   serve_until(b, clock_seconds() + ARENA_TICK); /* what was said last is on its way: the log wants it */
+  return held;
 }
 
-static int serve(const settings *s, bus *b, const fault_script *faults, fault *why) {
-  record r;
+/* Whether robots went away in the midst of it. One whose program ended is as good as lost, and the others go on without it. */
+static int check_whole(double held, fault *why) {
+  if (held > PATIENCE_SILENCE && arena_silent(&a) > 0)
+    return fault_set(why,
+                     "the game was broken off: this world stood still for %.1f s, and its robots left; start anew, "
+                     "and stop no program of it",
+                     held);
+  if (arena_abandoned(&a))
+    return fault_set(why, "the game was broken off: no robot has answered since %.1f s; were their programs ended?",
+                     a.now - ARENA_SILENCE);
+  return 0;
+}
+
+/* Write what was played, and tell how it came out. The exit status, with *why set if it is not 0. */
+static int finish(const settings *s, bus *b, record *r, double begin, double held, fault *why) {
   game_result result;
-  const arena_setup setup = {s->seed, s->clear_all, s->mine, faults, 4 * game_plan_seconds(&p.t) + 120};
-  if (check_alone(b, why) != 0) return -1;
-  if (s->log != NULL && bus_record(b, s->log, why) != 0) return -1;
-  if (arena_open(&a, &p.t, b, &setup, why) != 0) return -1;
+  game_tell(&a, b, &result);
+  result.wall_seconds = clock_seconds() - begin;
+  if (bus_end_log(b, why) != 0) return EXIT_BAD_INPUT;
+  if (s->replay != NULL && record_page(s->replay, r, &a, &result, why) != 0) return EXIT_BAD_INPUT;
+  if (interrupted == 0 && check_whole(held, why) != 0) return EXIT_BROKEN_OFF;
+  return outcome_print(&p, &result, s, why) == 0 ? 0 : EXIT_BAD_INPUT;
+}
+
+static int play_with_robots(const settings *s, bus *b, fault *why) {
+  record r;
+  int status = EXIT_BAD_INPUT;
   record_begin(&r, &p);
-  int status = gather(b, why);
-  if (status == 0) {
+  if (gather(b, why) == 0) {
     const double begin = clock_seconds();
-    play(b, &r, s->speed > 0.0 ? s->speed : 1.0);
-    game_tell(&a, b, &result);
-    result.wall_seconds = clock_seconds() - begin;
-    if (s->replay != NULL) status = record_page(s->replay, &r, &a, &result, why);
-    if (status == 0) status = outcome_print(&p, &result, s, why);
+    const double held = play(b, &r, s->speed > 0.0 ? s->speed : 1.0);
+    status = finish(s, b, &r, begin, held, why);
   }
   record_free(&r);
+  return status;
+}
+
+/* The exit status, with *why set if it is not 0. */
+static int serve(const settings *s, bus *b, const fault_script *faults, fault *why) {
+  const arena_setup setup = {s->seed, s->clear_all, s->mine, faults, 4 * game_plan_seconds(&p.t) + 120};
+  if (check_alone(b, why) != 0) return EXIT_BAD_INPUT;
+  if (s->log != NULL && bus_record(b, s->log, why) != 0) return EXIT_BAD_INPUT;
+  if (arena_open(&a, &p.t, b, &setup, why) != 0) return EXIT_BAD_INPUT;
+  const int status = play_with_robots(s, b, why);
   arena_close(&a);
+  return status;
+}
+
+static int run(const settings *s, fault *why) {
+  static fault_script faults;
+  bus *b = NULL;
+  int status = EXIT_BAD_INPUT;
+  if (outputs_check(s, why) != 0) return EXIT_BAD_INPUT;
+  if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, NULL, why) != 0) return EXIT_BAD_INPUT;
+  if ((s->faults == NULL || faults_read(&faults, s->faults, p.t.policy.board.seekers, why) == 0) &&
+      bus_open(&b, s->lcm_url, why) == 0)
+    status = serve(s, b, &faults, why);
+  bus_close(b);
+  plan_free(&p);
   return status;
 }
 
 int main(int argc, char **argv) {
   static settings s;
-  static fault_script faults;
   fault why;
-  bus *b = NULL;
   if (settings_parse(&s, argc, argv, &why) != 0) return fault_exit(&why);
-  if (s.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (s.help) return print_whole("quarter-world", help);
+  if (s.version) return print_whole("quarter-world", "quarter-world " QTR_VERSION_STRING "\n");
   signal(SIGINT, on_interrupt);
   signal(SIGTERM, on_interrupt);
-  if (plan_make(&p, s.mission, s.table, s.robots, s.learn_limit, NULL, &why) != 0) return fault_exit(&why);
-  int status = s.faults != NULL ? faults_read(&faults, s.faults, p.t.policy.board.seekers, &why) : 0;
-  if (status == 0) status = bus_open(&b, s.lcm_url, &why);
-  if (status == 0) status = serve(&s, b, &faults, &why);
-  bus_close(b);
-  plan_free(&p);
-  if (status != 0) return fault_exit(&why);
-  return interrupted != 0 ? interrupted : EXIT_SUCCESS;
+  const int status = run(&s, &why);
+  if (status == 0) return interrupted != 0 ? interrupted : EXIT_SUCCESS;
+  fault_exit(&why);
+  return status;
 }

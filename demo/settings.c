@@ -26,7 +26,8 @@ enum letter {
   STRATEGY,
   SEED,
   SPEED,
-  LEARN_LIMIT
+  LEARN_LIMIT,
+  VERSION
 };
 
 static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
@@ -38,6 +39,7 @@ static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
                                       {"json", optional_argument, NULL, JSON},
                                       {"quiet", no_argument, NULL, 'q'},
                                       {"help", no_argument, NULL, 'h'},
+                                      {"version", no_argument, NULL, VERSION},
                                       {"clear-all", no_argument, NULL, CLEAR_ALL},
                                       {"lose-one", no_argument, NULL, LOSE_ONE},
                                       {"processes", no_argument, NULL, PROCESSES},
@@ -92,6 +94,7 @@ static bool take_plain(settings *s, int letter, const char *value) {
   case 'o': s->replay = value; return true;
   case 'q': s->quiet = true; return true;
   case 'h': s->help = true; return true;
+  case VERSION: s->version = true; return true;
   case TABLE: s->table = value; return true;
   case SAVE: s->save = value; return true;
   case LOG: s->log = value; return true;
@@ -169,7 +172,7 @@ int settings_parse(settings *s, int argc, char **argv, fault *why) {
     if (take_plain(s, letter, optarg) || take_mark(s, letter, optarg)) continue;
     if (take_value(s, letter, optarg, why) != 0) return -1;
   }
-  if (s->help) return 0;
+  if (s->help || s->version) return 0;
   if (optind + 1 != argc)
     return fault_set(why, "name one mission, as demo/missions/minefield/mission.yaml; --help shows how");
   s->mission = argv[optind];

@@ -16,7 +16,7 @@ typedef struct {
   const char *faults;    /* script; NULL: none */
   const char *lcm_url;   /* NULL: as LCM_DEFAULT_URL says */
   const char *json_path; /* NULL: standard output */
-  bool json, quiet, help;
+  bool json, quiet, help, version;
   bool clear_all, lose_one, processes, live, follow;
   int port;     /* of the live view; 0: any free one */
   int robots;   /* 0: as the mission says */
@@ -28,7 +28,7 @@ typedef struct {
   double learn_limit; /* seconds */
 } settings;
 
-/* Parse the words. `help` is printed by the caller if asked for. 0, or -1 with *why set. */
+/* Parse the words. `help` and `version` are printed by the caller if asked for. 0, or -1 with *why set. */
 int settings_parse(settings *s, int argc, char **argv, fault *why);
 
 #endif

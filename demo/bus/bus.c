@@ -1,11 +1,13 @@
 #include "bus.h"
 
+#include <errno.h>
 #include <lcm/eventlog.h>
 #include <lcm/lcm.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "channels.h"
 #include "quarter_command.h"
@@ -16,6 +18,7 @@
 #include "rng.h"
 
 #define LATEST (INT64_MAX / 2) /* microseconds: moments up to here can be subtracted from one another */
+#define LOG_LEAP 60000000      /* microseconds: no robot answers later than that */
 #define QUEUE 1000             /* messages that a subscription holds: LCM's own 30 are too few for a burst */
 #define LONGEST 65536u /* bytes of a message; LCM's count is far beyond if a packet ends within the channel's name */
 
@@ -32,8 +35,11 @@ typedef struct listener {
 struct bus {
   lcm_t *lcm;
   lcm_eventlog_t *log;
+  const char *log_path;
+  int log_error; /* errno of the first write that failed; 0: none did */
   listener *listeners;
   bus_counts counts;
+  int64_t now; /* utime of what was sent last */
   double loss;
   rng dice;
 };
@@ -61,8 +67,9 @@ int bus_open(bus **b, const char *url, fault *why) {
 
 void bus_close(bus *b) {
   if (b == NULL) return;
+  fault unheard;
+  bus_end_log(b, &unheard);
   lcm_destroy(b->lcm);
-  if (b->log != NULL) lcm_eventlog_destroy(b->log);
   for (listener *at = b->listeners, *next; at != NULL; at = next) {
     next = at->next;
     free(at);
@@ -81,30 +88,62 @@ bus_counts bus_count(const bus *b) {
 
 /* ---- the log ---- */
 
-/* Every message begins, behind its type's 8-byte mark, with the world's time: that is the event's. */
+/* Every message begins, behind its type's 8-byte mark, with the world's time; 0 if it is too short for that. */
 static int64_t utime_of(const lcm_recv_buf_t *packet) {
   int64_t utime = 0;
-  if (packet->data_size < 16) return packet->recv_utime;
+  if (packet->data_size < 16) return 0;
   for (int i = 8; i < 16; i++) utime = (int64_t)((uint64_t)utime << 8 | ((const uint8_t *)packet->data)[i]);
   return utime;
 }
 
+/* The message's own time. A stranger's may lie anywhere, and who plays the log would wait for it: it gets the world's. */
+static int64_t log_time_of(const bus *b, const lcm_recv_buf_t *packet) {
+  const int64_t utime = utime_of(packet);
+  return utime >= 0 && utime <= LATEST && llabs(utime - b->now) <= LOG_LEAP ? utime : b->now;
+}
+
 static void log_event(const lcm_recv_buf_t *packet, const char *channel, void *user) {
   bus *b = user;
-  if (packet->data_size > LONGEST) return;
-  lcm_eventlog_event_t event = {.timestamp = utime_of(packet),
+  if (b->log == NULL || b->log_error != 0 || packet->data_size > LONGEST) return;
+  lcm_eventlog_event_t event = {.timestamp = log_time_of(b, packet),
                                 .channellen = (int32_t)strlen(channel),
                                 .datalen = (int32_t)packet->data_size,
                                 .channel = (char *)(uintptr_t)channel,
                                 .data = packet->data};
-  lcm_eventlog_write_event(b->log, &event);
+  errno = 0;
+  if (lcm_eventlog_write_event(b->log, &event) != 0) b->log_error = errno != 0 ? errno : EIO;
 }
 
 int bus_record(bus *b, const char *path, fault *why) {
   b->log = lcm_eventlog_create(path, "w");
-  if (b->log == NULL) return fault_set(why, "%s: the log cannot be written; make its folder first", path);
+  b->log_path = path;
+  if (b->log == NULL) return fault_set(why, "%s: the log cannot be written: %s; name another", path, strerror(errno));
   lcm_subscription_set_queue_capacity(lcm_subscribe(b->lcm, CHANNEL_PREFIX ".*", log_event, b), 10 * QUEUE);
   return 0;
+}
+
+bool bus_log_failed(const bus *b) {
+  return b->log_error != 0;
+}
+
+/* All that was buffered to the disk; a device or a pipe has none behind it. */
+static int flush_log(FILE *file) {
+  if (fflush(file) != 0) return errno;
+  if (fsync(fileno(file)) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) return errno;
+  return 0;
+}
+
+int bus_end_log(bus *b, fault *why) {
+  struct stat about;
+  if (b->log == NULL) return 0;
+  const int error = b->log_error != 0 ? b->log_error : flush_log(b->log->f);
+  const bool plain = fstat(fileno(b->log->f), &about) == 0 && S_ISREG(about.st_mode);
+  lcm_eventlog_destroy(b->log);
+  b->log = NULL;
+  if (error == 0) return 0;
+  if (plain) unlink(b->log_path);
+  return fault_set(why, "%s: the log cannot be written: %s; free some space or write elsewhere", b->log_path,
+                   strerror(error));
 }
 
 /* ---- sending ---- */
@@ -120,11 +159,16 @@ static const char *channel_of(char name[CHANNEL_SIZE], int kind, int robot) {
   return name;
 }
 
+static void note_sent(bus *b, int kind, int64_t utime) {
+  b->counts.sent[kind]++;
+  b->now = utime;
+}
+
 void bus_send_pose(bus *b, const message_pose *m) {
   char name[CHANNEL_SIZE];
   const quarter_pose wire = {m->utime, m->robot, m->x, m->y, m->heading};
   quarter_pose_publish(b->lcm, channel_of(name, KIND_POSE, m->robot), &wire);
-  b->counts.sent[KIND_POSE]++;
+  note_sent(b, KIND_POSE, m->utime);
 }
 
 void bus_send_scan(bus *b, const message_scan *m) {
@@ -132,20 +176,20 @@ void bus_send_scan(bus *b, const message_scan *m) {
   quarter_scan wire = {.utime = m->utime, .robot = m->robot, .read = m->read, .mine = m->mine};
   memcpy(wire.range, m->range, sizeof wire.range);
   quarter_scan_publish(b->lcm, channel_of(name, KIND_SCAN, m->robot), &wire);
-  b->counts.sent[KIND_SCAN]++;
+  note_sent(b, KIND_SCAN, m->utime);
 }
 
 void bus_send_command(bus *b, const message_command *m) {
   char name[CHANNEL_SIZE];
   const quarter_command wire = {m->utime, m->robot, m->left, m->right, m->read};
   quarter_command_publish(b->lcm, channel_of(name, KIND_COMMAND, m->robot), &wire);
-  b->counts.sent[KIND_COMMAND]++;
+  note_sent(b, KIND_COMMAND, m->utime);
 }
 
 void bus_send_terminate(bus *b, const message_terminate *m) {
   const quarter_terminate wire = {m->utime, m->sender, m->signal, m->territory};
   quarter_terminate_publish(b->lcm, CHANNEL_TERMINATE, &wire);
-  b->counts.sent[KIND_TERMINATE]++;
+  note_sent(b, KIND_TERMINATE, m->utime);
 }
 
 void bus_send_status(bus *b, const message_status *m) {
@@ -154,19 +198,30 @@ void bus_send_status(bus *b, const message_status *m) {
   memcpy(wire.scanned_by, m->scanned_by, sizeof wire.scanned_by);
   memcpy(wire.found, m->found, sizeof wire.found);
   quarter_status_publish(b->lcm, CHANNEL_STATUS, &wire);
-  b->counts.sent[KIND_STATUS]++;
+  note_sent(b, KIND_STATUS, m->utime);
 }
 
-/* ---- hearing: bytes from outside, decoded, checked, and ignored if they are not sound ---- */
+/* ---- hearing: bytes from outside, decoded, checked field by field, and ignored if they are not sound ---- */
 
 static bool sound_robot(const listener *l, int robot) {
   return robot >= 0 && robot < MESSAGE_MOST_ROBOTS && (l->robot < 0 || robot == l->robot);
 }
 
+/* False for what is not a number, too. */
+static bool within(double value, double most) {
+  return value >= -most && value <= most;
+}
+
+static bool is_mark(int value) {
+  return value == 0 || value == 1;
+}
+
 static bool take_pose(const listener *l, const lcm_recv_buf_t *packet) {
   quarter_pose wire;
-  if (quarter_pose_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
-  if (!sound_robot(l, wire.robot) || !isfinite(wire.x) || !isfinite(wire.y) || !isfinite(wire.heading)) return false;
+  if (quarter_pose_decode(packet->data, 0, (int)packet->data_size, &wire) < 0 || !sound_robot(l, wire.robot))
+    return false;
+  if (!within(wire.x, MESSAGE_FARTHEST) || !within(wire.y, MESSAGE_FARTHEST) || !within(wire.heading, MESSAGE_TURN))
+    return false;
   const message_pose m = {wire.utime, wire.robot, wire.x, wire.y, wire.heading};
   ((void (*)(void *, const message_pose *))l->hear)(l->user, &m);
   return true;
@@ -177,8 +232,9 @@ static bool take_scan(const listener *l, const lcm_recv_buf_t *packet) {
   message_scan m;
   if (quarter_scan_decode(packet->data, 0, (int)packet->data_size, &wire) < 0 || !sound_robot(l, wire.robot))
     return false;
+  if (!is_mark(wire.read) || !is_mark(wire.mine)) return false;
   for (int ray = 0; ray < MESSAGE_RAYS; ray++)
-    if (!isfinite(wire.range[ray]) || wire.range[ray] < 0.0f) return false;
+    if (!within((double)wire.range[ray], MESSAGE_FARTHEST) || wire.range[ray] < 0.0f) return false;
   m = (message_scan){.utime = wire.utime, .robot = wire.robot, .read = wire.read != 0, .mine = wire.mine != 0};
   memcpy(m.range, wire.range, sizeof m.range);
   ((void (*)(void *, const message_scan *))l->hear)(l->user, &m);
@@ -187,8 +243,10 @@ static bool take_scan(const listener *l, const lcm_recv_buf_t *packet) {
 
 static bool take_command(const listener *l, const lcm_recv_buf_t *packet) {
   quarter_command wire;
-  if (quarter_command_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
-  if (!sound_robot(l, wire.robot) || !isfinite(wire.left) || !isfinite(wire.right)) return false;
+  if (quarter_command_decode(packet->data, 0, (int)packet->data_size, &wire) < 0 || !sound_robot(l, wire.robot))
+    return false;
+  if (!within(wire.left, MESSAGE_FARTHEST) || !within(wire.right, MESSAGE_FARTHEST) || !is_mark(wire.read))
+    return false;
   const message_command m = {wire.utime, wire.robot, wire.left, wire.right, wire.read != 0};
   ((void (*)(void *, const message_command *))l->hear)(l->user, &m);
   return true;
@@ -197,9 +255,20 @@ static bool take_command(const listener *l, const lcm_recv_buf_t *packet) {
 static bool take_terminate(const listener *l, const lcm_recv_buf_t *packet) {
   quarter_terminate wire;
   if (quarter_terminate_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
-  if (wire.sender < 0 || wire.sender >= MESSAGE_MOST_ROBOTS) return false;
+  if (!sound_robot(l, wire.sender) || !sound_robot(l, wire.territory)) return false;
+  if (wire.signal != QUARTER_TERMINATE_FOUND && wire.signal != QUARTER_TERMINATE_TERRITORY_DONE) return false;
   const message_terminate m = {wire.utime, wire.sender, wire.signal, wire.territory};
   ((void (*)(void *, const message_terminate *))l->hear)(l->user, &m);
+  return true;
+}
+
+/* Of the robots and places that there are; what stands behind them says nothing. */
+static bool sound_states(const quarter_status *wire) {
+  for (int robot = 0; robot < wire->robots; robot++)
+    if (wire->state[robot] < STATE_ALIVE || wire->state[robot] > STATE_STUCK) return false;
+  for (int place = 0; place < wire->places; place++)
+    if (wire->scanned_by[place] < -1 || wire->scanned_by[place] >= wire->robots || !is_mark(wire->found[place]))
+      return false;
   return true;
 }
 
@@ -209,6 +278,7 @@ static bool take_status(const listener *l, const lcm_recv_buf_t *packet) {
   if (quarter_status_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
   if (wire.robots < 0 || wire.robots > MESSAGE_MOST_ROBOTS || wire.places < 0 || wire.places > MESSAGE_MOST_PLACES)
     return false;
+  if (wire.mines_found < 0 || wire.mines_found > wire.places || !sound_states(&wire)) return false;
   m = (message_status){
       .utime = wire.utime, .robots = wire.robots, .places = wire.places, .mines_found = wire.mines_found};
   memcpy(m.state, wire.state, sizeof m.state);
@@ -219,7 +289,7 @@ static bool take_status(const listener *l, const lcm_recv_buf_t *packet) {
 }
 
 static bool sound_frame(const lcm_recv_buf_t *packet) {
-  if (packet->data_size > LONGEST) return false;
+  if (packet->data_size < 16 || packet->data_size > LONGEST) return false;
   const int64_t utime = utime_of(packet);
   return utime >= 0 && utime <= LATEST;
 }

@@ -8,6 +8,8 @@
 #define MESSAGE_RAYS 24
 #define MESSAGE_MOST_ROBOTS 16
 #define MESSAGE_MOST_PLACES 128
+#define MESSAGE_FARTHEST 1e9 /* metres, and metres a second: what lies beyond is no place on earth */
+#define MESSAGE_TURN 1e6     /* radians */
 
 typedef struct {
   int64_t utime; /* microseconds of the world's clock */

@@ -13,15 +13,17 @@
 #define LINGER 1.0      /* seconds for which the game goes on after the last one stopped */
 #define MOVED 0.3       /* cells that count as making way */
 #define DEADLOCK 20.0   /* seconds without, on good ground */
-#define SILENCE 10.0    /* seconds without a command after which a robot counts as lost: its program has ended */
 
 static int64_t utime_of(const arena *a) {
   return (int64_t)llround(1e6 * a->now);
 }
 
+/* The last one that there is room for says that there is no more. */
 static void note(arena *a, arena_event event) {
+  if (a->events == ARENA_EVENTS) return;
+  if (a->events == ARENA_EVENTS - 1) event = (arena_event){0, EVENT_MORE, -1, -1, -1, 0.0};
   event.at = a->now;
-  if (a->events < ARENA_EVENTS) a->event[a->events++] = event;
+  a->event[a->events++] = event;
 }
 
 /* ---- what it hears ---- */
@@ -45,7 +47,7 @@ static void hear_command(void *user, const message_command *m) {
 static void hear_terminate(void *user, const message_terminate *m) {
   arena *a = user;
   a->signals++;
-  if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory < 0 || m->territory >= a->robots) return;
+  if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory >= a->robots || m->sender >= a->robots) return;
   if (a->done[m->territory]) return;
   a->done[m->territory] = true;
   note(a, (arena_event){0, EVENT_DONE, m->sender, -1, m->territory, 0.0});
@@ -191,8 +193,10 @@ static void strike_what_is_due(arena *a) {
 
 static void watch_silence(arena *a, int robot) {
   static const fault_event lost = {.kind = FAULT_LOST};
-  const arena_robot *r = &a->robot[robot];
-  if (r->heard && a->now - (double)r->commanded / 1e6 > SILENCE) strike(a, &lost, robot);
+  arena_robot *r = &a->robot[robot];
+  if (r->state == STATE_LOST || !r->heard || a->now - (double)r->commanded / 1e6 <= ARENA_SILENCE) return;
+  r->silent = true;
+  strike(a, &lost, robot);
 }
 
 static void watch_stop(arena *a, int robot) {
@@ -238,8 +242,24 @@ void arena_advance(arena *a) {
   }
 }
 
+static int count_lost(const arena *a) {
+  int lost = 0;
+  for (int robot = 0; robot < a->robots; robot++) lost += a->robot[robot].state == STATE_LOST;
+  return lost;
+}
+
+int arena_silent(const arena *a) {
+  int silent = 0;
+  for (int robot = 0; robot < a->robots; robot++) silent += a->robot[robot].silent;
+  return silent;
+}
+
+bool arena_abandoned(const arena *a) {
+  return arena_silent(a) > 0 && count_lost(a) == a->robots;
+}
+
 double arena_all_stopped_at(const arena *a) {
-  double last = 0.0;
+  double last = -1.0;
   for (int robot = 0; robot < a->robots; robot++) {
     const arena_robot *r = &a->robot[robot];
     if (r->state == STATE_LOST) continue;
@@ -251,5 +271,6 @@ double arena_all_stopped_at(const arena *a) {
 
 bool arena_over(const arena *a) {
   const double stopped = arena_all_stopped_at(a);
-  return a->now >= a->setup.time_limit || (stopped >= 0.0 && a->now >= stopped + STILL + LINGER);
+  if (a->now >= a->setup.time_limit || count_lost(a) == a->robots) return true;
+  return stopped >= 0.0 && a->now >= stopped + STILL + LINGER;
 }

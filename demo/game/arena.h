@@ -8,7 +8,8 @@
 #include "table.h"
 #include "world.h"
 
-#define ARENA_TICK 0.05 /* seconds between messages: three steps of the world */
+#define ARENA_TICK 0.05    /* seconds between messages: three steps of the world */
+#define ARENA_SILENCE 10.0 /* seconds without a command after which a robot counts as lost: its program has ended */
 
 enum arena_kind {
   EVENT_SCANNED,
@@ -20,7 +21,8 @@ enum arena_kind {
   EVENT_UNSTUCK,
   EVENT_SLIP,
   EVENT_LOSS,
-  EVENT_DEADLOCK
+  EVENT_DEADLOCK,
+  EVENT_MORE /* more happened than is kept */
 };
 
 typedef struct {
@@ -44,6 +46,7 @@ typedef struct {
 typedef struct {
   enum message_state state;
   bool heard;                     /* a command came */
+  bool silent;                    /* none came for long: it is lost, for its program has ended */
   bool read;                      /* and asks for its mine sensor to be read */
   int64_t commanded;              /* utime of the last one */
   bool still;                     /* it is told to stand */
@@ -89,7 +92,11 @@ void arena_advance(arena *a);
 /* Every robot that is not lost has stopped, or time is up. */
 bool arena_over(const arena *a);
 
-/* When the last robot stopped, in seconds; below 0 if one still drives. Lost ones do not count. */
+/* When the last robot stopped, in seconds; below 0 if one still drives, or none is left. Lost ones do not count. */
 double arena_all_stopped_at(const arena *a);
+
+/* How many robots fell silent, and whether no other is left: such a game was broken off, not played to its end. */
+int arena_silent(const arena *a);
+bool arena_abandoned(const arena *a);
 
 #endif

@@ -78,7 +78,7 @@ static void keep_pace(double begin, double now, double speed) {
 
 static void play(game *g, const game_setup *setup, const volatile int *interrupted) {
   const double begin = clock_seconds();
-  while (!arena_over(&g->a) && (interrupted == NULL || *interrupted == 0)) {
+  while (!arena_over(&g->a) && (interrupted == NULL || *interrupted == 0) && !bus_log_failed(g->b)) {
     arena_publish(&g->a);
     bus_drain(g->b);
     arena_advance(&g->a);
@@ -113,7 +113,8 @@ int game_play(const game_setup *setup, game_result *result, const volatile int *
     play(g, setup, interrupted);
     game_tell(&g->a, g->b, result);
     result->wall_seconds = clock_seconds() - begin;
-    if (setup->finish != NULL) status = setup->finish(setup->user, &g->a, result, why);
+    status = bus_end_log(g->b, why);
+    if (status == 0 && setup->finish != NULL) status = setup->finish(setup->user, &g->a, result, why);
   }
   close_game(g);
   free(g);

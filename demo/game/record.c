@@ -171,26 +171,28 @@ static void write_track(json *j, const record *r, int robot) {
 /* ---- what happened ---- */
 
 static void describe(char text[120], const arena_event *e) {
+  static const char *const does[] = {[EVENT_STOPPED] = "stopped",
+                                     [EVENT_LOST] = "is lost",
+                                     [EVENT_STUCK] = "is stuck",
+                                     [EVENT_UNSTUCK] = "drives again",
+                                     [EVENT_DEADLOCK] = "makes no way"};
   switch (e->kind) {
   case EVENT_SCANNED: snprintf(text, 120, "robot %d scanned place %d: clear", e->robot, e->place); break;
   case EVENT_FOUND: snprintf(text, 120, "robot %d found it at place %d", e->robot, e->place); break;
   case EVENT_DONE: snprintf(text, 120, "territory %d is done", e->territory); break;
-  case EVENT_STOPPED: snprintf(text, 120, "robot %d stopped", e->robot); break;
-  case EVENT_LOST: snprintf(text, 120, "robot %d is lost", e->robot); break;
-  case EVENT_STUCK: snprintf(text, 120, "robot %d is stuck", e->robot); break;
-  case EVENT_UNSTUCK: snprintf(text, 120, "robot %d drives again", e->robot); break;
   case EVENT_SLIP: snprintf(text, 120, "robot %d's wheels slip by up to %.0f %%", e->robot, 100 * e->share); break;
   case EVENT_LOSS: snprintf(text, 120, "%.0f %% of the signals are lost from now on", 100 * e->share); break;
-  default: snprintf(text, 120, "robot %d makes no way", e->robot);
+  case EVENT_MORE: snprintf(text, 120, "more happened than is kept: from here on it is left out"); break;
+  default: snprintf(text, 120, "robot %d %s", e->robot, does[e->kind]);
   }
 }
 
 static void write_event(json *j, const arena_event *e) {
   static const char *const kinds[] = {
-      [EVENT_SCANNED] = "scanned",  [EVENT_FOUND] = "found", [EVENT_DONE] = "territory_done",
-      [EVENT_STOPPED] = "stopped",  [EVENT_LOST] = "lost",   [EVENT_STUCK] = "stuck",
-      [EVENT_UNSTUCK] = "unstuck",  [EVENT_SLIP] = "slip",   [EVENT_LOSS] = "loss",
-      [EVENT_DEADLOCK] = "deadlock"};
+      [EVENT_SCANNED] = "scanned",   [EVENT_FOUND] = "found", [EVENT_DONE] = "territory_done",
+      [EVENT_STOPPED] = "stopped",   [EVENT_LOST] = "lost",   [EVENT_STUCK] = "stuck",
+      [EVENT_UNSTUCK] = "unstuck",   [EVENT_SLIP] = "slip",   [EVENT_LOSS] = "loss",
+      [EVENT_DEADLOCK] = "deadlock", [EVENT_MORE] = "more"};
   char text[120];
   describe(text, e);
   json_flat_object(j, NULL);
@@ -307,7 +309,10 @@ int record_page(const char *path, const record *r, const arena *a, const game_re
   FILE *memory = open_memstream(&data, &size);
   if (memory == NULL) return fault_set(why, "%s: no memory for the replay", path);
   record_json(memory, r, a, result);
-  fclose(memory);
+  if (fclose(memory) != 0 || r->full) {
+    free(data);
+    return fault_set(why, "%s: no memory for the replay of a game this long", path);
+  }
   int status = outfile_open(&out, path, why);
   if (status == 0) {
     put_page(out.file, data);

@@ -68,7 +68,7 @@ static void listen(int robot) {
 /* ---- arriving ---- */
 
 static double random_number(test_random *random) {
-  return (random_unit(random) - 0.5) * (random_chance(random, 20) ? 1e300 : 100.0);
+  return (random_unit(random) - 0.5) * (random_chance(random, 20) ? 1e6 : 100.0);
 }
 
 static void send_pose_and_command(test_random *random, int robot) {
@@ -110,10 +110,11 @@ static void send_terminate(test_random *random) {
 static void send_status(test_random *random) {
   message_status m = {.utime = (int64_t)(random_bits(random) >> 2),
                       .robots = (int)random_below(random, MESSAGE_MOST_ROBOTS + 1),
-                      .places = (int)random_below(random, MESSAGE_MOST_PLACES + 1),
+                      .places = 1 + (int)random_below(random, MESSAGE_MOST_PLACES),
                       .mines_found = (int)random_below(random, 2)};
   for (int i = 0; i < MESSAGE_MOST_ROBOTS; i++) m.state[i] = (int8_t)random_below(random, 4);
-  for (int i = 0; i < MESSAGE_MOST_PLACES; i++) m.scanned_by[i] = (int8_t)((int)random_below(random, 17) - 1);
+  for (int i = 0; i < MESSAGE_MOST_PLACES; i++)
+    m.scanned_by[i] = (int8_t)((int)random_below(random, (unsigned)m.robots + 1) - 1);
   for (int i = 0; i < MESSAGE_MOST_PLACES; i++) m.found[i] = (int8_t)random_below(random, 2);
   bus_send_status(b, &m);
   TEST_ASSERT_EQUAL_INT_MESSAGE(1, bus_drain(b), case_note);
@@ -265,6 +266,33 @@ static void test_a_log_that_cannot_be_written_is_refused(void) {
   TEST_ASSERT_EQUAL_INT(1, heard[KIND_POSE]);
 }
 
+/* What is buffered is lost at the end, if nobody looks; with many messages a write fails on the way. */
+static void test_a_log_on_a_full_disk_fails_and_says_so(void) {
+  for (int messages = 1; messages <= 1000; messages *= 1000) {
+    tearDown();
+    setUp();
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, bus_record(b, "/dev/full", &why), why.text);
+    for (int i = 0; i < messages; i++) bus_send_pose(b, &(message_pose){i, 0, 0, 0, 0});
+    bus_drain(b);
+    TEST_ASSERT_EQUAL_INT(messages > 1, bus_log_failed(b));
+    TEST_ASSERT_EQUAL_INT(-1, bus_end_log(b, &why));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(why.text, "/dev/full"), why.text);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(why.text, "space"), why.text);
+    TEST_ASSERT_EQUAL_INT(0, bus_end_log(b, &why)); /* told once */
+  }
+}
+
+static void test_a_log_that_is_whole_ends_well(void) {
+  TEST_ASSERT_EQUAL_INT(0, bus_end_log(b, &why)); /* there is none */
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, bus_record(b, "whole.lcm", &why), why.text);
+  bus_send_pose(b, &(message_pose){0, 0, 0, 0, 0});
+  bus_drain(b);
+  TEST_ASSERT_FALSE(bus_log_failed(b));
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, bus_end_log(b, &why), why.text);
+  bus_send_pose(b, &(message_pose){1, 0, 0, 0, 0}); /* what comes behind the end goes nowhere */
+  TEST_ASSERT_EQUAL_INT(1, bus_drain(b));
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_every_kind_of_message_arrives_unchanged);
@@ -276,5 +304,7 @@ int main(void) {
   RUN_TEST(test_a_log_plays_back_as_it_was);
   RUN_TEST(test_a_bus_that_is_none_is_refused);
   RUN_TEST(test_a_log_that_cannot_be_written_is_refused);
+  RUN_TEST(test_a_log_on_a_full_disk_fails_and_says_so);
+  RUN_TEST(test_a_log_that_is_whole_ends_well);
   return UNITY_END();
 }

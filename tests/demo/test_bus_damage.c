@@ -141,6 +141,14 @@ static uint32_t float_bits_of(float value) {
   return bits;
 }
 
+/* A status tells of so many robots and places, then of each robot and each place, a byte each. */
+enum {
+  FOUND_FIELD = 24,
+  STATES = 28,
+  SCANNED_BY = STATES + MESSAGE_MOST_ROBOTS,
+  FOUND_AT = SCANNED_BY + MESSAGE_MOST_PLACES
+};
+
 /* ---- tests ---- */
 
 static void test_true_messages_come_through(void) {
@@ -239,6 +247,81 @@ static void test_robots_and_places_out_of_range_are_ignored(void) {
   TEST_ASSERT_EQUAL_INT(0, play());
 }
 
+/* How far something is, how fast a wheel turns: numbers, but no such place or speed is on earth. */
+static void test_numbers_beyond_all_measure_are_ignored(void) {
+  static const double far[] = {1.1e9, -1.1e9, 1e300, -1e300};
+  for (int i = 0; i < 4; i++) {
+    for (int field = 0; field < 3; field++) put_changed(KIND_POSE, NUMBERS + 8 * field, bits_of(far[i]), 8);
+    for (int field = 0; field < 2; field++) put_changed(KIND_COMMAND, NUMBERS + 8 * field, bits_of(far[i]), 8);
+  }
+  put_changed(KIND_SCAN, scan_range(3), float_bits_of(1e30f), 4);
+  TEST_ASSERT_EQUAL_INT(0, play());
+}
+
+static void test_marks_that_are_neither_0_nor_1_are_ignored(void) {
+  static const uint8_t none[] = {2, 127, 128, 255};
+  for (int i = 0; i < 4; i++) {
+    put_changed(KIND_SCAN, NUMBERS, none[i], 1);
+    put_changed(KIND_SCAN, NUMBERS + 1, none[i], 1);
+    put_changed(KIND_COMMAND, NUMBERS + 16, none[i], 1);
+    put_changed(KIND_STATUS, FOUND_AT + 7, none[i], 1);
+  }
+  TEST_ASSERT_EQUAL_INT(0, play());
+}
+
+static void test_signals_and_territories_that_are_none_are_ignored(void) {
+  static const int32_t signals[] = {0, 3, -1, INT32_MIN, INT32_MAX};
+  static const int32_t territories[] = {-1, MESSAGE_MOST_ROBOTS, INT32_MIN, INT32_MAX};
+  for (int i = 0; i < 5; i++) put_changed(KIND_TERMINATE, NUMBERS, (uint32_t)signals[i], 4);
+  for (int i = 0; i < 4; i++) put_changed(KIND_TERMINATE, NUMBERS + 4, (uint32_t)territories[i], 4);
+  TEST_ASSERT_EQUAL_INT(0, play());
+}
+
+/* Of the robots and places that the message says there are, 4 and 16. */
+static void test_states_and_scanners_that_are_none_are_ignored(void) {
+  static const int8_t states[] = {-1, 4, INT8_MIN, INT8_MAX};
+  static const int8_t scanners[] = {-2, 4, INT8_MIN, INT8_MAX};
+  for (int i = 0; i < 4; i++) {
+    put_changed(KIND_STATUS, STATES + 3, (uint8_t)states[i], 1);
+    put_changed(KIND_STATUS, SCANNED_BY + 15, (uint8_t)scanners[i], 1);
+  }
+  put_changed(KIND_STATUS, FOUND_FIELD, UINT32_MAX, 4);
+  put_changed(KIND_STATUS, FOUND_FIELD, 17, 4);
+  TEST_ASSERT_EQUAL_INT(0, play());
+}
+
+static void test_what_stands_behind_the_last_robot_and_place_says_nothing(void) {
+  put_changed(KIND_STATUS, STATES + 4, 99, 1);
+  put_changed(KIND_STATUS, SCANNED_BY + 16, 99, 1);
+  put_changed(KIND_STATUS, FOUND_AT + 16, 99, 1);
+  TEST_ASSERT_EQUAL_INT(3, play());
+}
+
+/* Who plays a log waits as long as its times say: a stranger's time must not be among them. */
+static void test_a_strangers_time_does_not_get_into_the_log(void) {
+  log_event e;
+  bus *b;
+  int64_t last = 0;
+  int events = 0;
+  put_changed(KIND_POSE, TIME, INT64_MAX / 2, 8);
+  put_changed(KIND_STATUS, TIME, (uint64_t)INT64_MIN, 8);
+  put(KIND_TERMINATE, sound[KIND_TERMINATE].data, 9);
+  put(KIND_TERMINATE, NULL, 0);
+  put_changed(KIND_COMMAND, TIME, 7, 8);
+  fclose(out);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, bus_open(&b, "file://damage.lcm?speed=0", &why), why.text);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, bus_record(b, "times.lcm", &why), why.text);
+  bus_drain(b);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, bus_end_log(b, &why), why.text);
+  bus_close(b);
+  FILE *file = fopen("times.lcm", "rb");
+  TEST_ASSERT_NOT_NULL(file);
+  for (; log_read(file, &e); events++, last = e.time) TEST_ASSERT_TRUE(e.time >= 0 && e.time <= 7);
+  fclose(file);
+  TEST_ASSERT_EQUAL_INT(5, events);
+  TEST_ASSERT_TRUE(last == 7);
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_true_messages_come_through);
@@ -251,5 +334,11 @@ int main(void) {
   RUN_TEST(test_numbers_that_are_none_are_ignored);
   RUN_TEST(test_times_before_the_beginning_and_past_all_bounds_are_ignored);
   RUN_TEST(test_robots_and_places_out_of_range_are_ignored);
+  RUN_TEST(test_numbers_beyond_all_measure_are_ignored);
+  RUN_TEST(test_marks_that_are_neither_0_nor_1_are_ignored);
+  RUN_TEST(test_signals_and_territories_that_are_none_are_ignored);
+  RUN_TEST(test_states_and_scanners_that_are_none_are_ignored);
+  RUN_TEST(test_what_stands_behind_the_last_robot_and_place_says_nothing);
+  RUN_TEST(test_a_strangers_time_does_not_get_into_the_log);
   return UNITY_END();
 }

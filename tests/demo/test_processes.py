@@ -381,7 +381,7 @@ class BadInput(Case):
         self.assertEqual((status, output, len(errors.splitlines())), (2, "", 1), errors)
         self.assertIn("robot 1", errors)
         self.assertEqual(list(self.folder.iterdir()), [])
-        self.assertEqual(one.end(10)[0], 0)
+        self.assertEqual(one.end(10)[0], 3)
 
 
 # ---- strangers on the bus ----
@@ -621,7 +621,7 @@ class Ends(Case):
         launcher, children, _ = self.start_game(net, after=0.5)
         os.kill(next(pid for pid, words in children.items() if words[0] == "quarter-world"), signal.SIGKILL)
         status, output, errors = launcher.end(10)
-        self.assertEqual((status, output), (2, ""))
+        self.assertEqual((status, output), (3, ""))
         self.assertEqual(len(errors.splitlines()), 1, errors)
         self.check_gone(net, children)
         self.assertFalse((self.folder / "game.html").exists())

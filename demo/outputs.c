@@ -1,0 +1,75 @@
+#include "outputs.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <libgen.h>
+#include <limits.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "outfile.h"
+
+#define FILES 7
+#define OUTPUTS 4 /* of them, the first */
+
+static bool exists(const char *path, struct stat *about) {
+  return path != NULL && stat(path, about) == 0;
+}
+
+/* Of two files that are not there yet: the same name in the same folder. */
+static bool is_same_name(const char *a, const char *b) {
+  struct stat one, other;
+  char first[PATH_MAX], second[PATH_MAX];
+  if (strlen(a) >= sizeof first || strlen(b) >= sizeof second) return false;
+  if (strcmp(basename(strcpy(first, a)), basename(strcpy(second, b))) != 0) return false;
+  if (!exists(dirname(strcpy(first, a)), &one) || !exists(dirname(strcpy(second, b)), &other)) return false;
+  return one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+}
+
+static bool is_file(const char *path) {
+  return path != NULL && strcmp(path, "-") != 0;
+}
+
+/* By what they are, whatever they are called. Devices may be named twice. */
+static bool is_same(const char *a, const char *b) {
+  struct stat one, other;
+  if (!is_file(a) || !is_file(b)) return false;
+  const bool a_exists = exists(a, &one), b_exists = exists(b, &other);
+  if (!a_exists && !b_exists) return is_same_name(a, b);
+  return a_exists && b_exists && S_ISREG(one.st_mode) && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
+}
+
+/* What is written whole at the end, and then renamed. To open a pipe would wait for its reader. */
+static int try_file(const char *path, fault *why) {
+  struct stat about;
+  outfile out;
+  if (!is_file(path) || (exists(path, &about) && S_ISFIFO(about.st_mode))) return 0;
+  if (outfile_open(&out, path, why) != 0) return -1;
+  outfile_abort(&out);
+  return 0;
+}
+
+/* The log is written as the game goes on. What is there already is not touched yet. */
+static int try_log(const char *path, fault *why) {
+  struct stat about;
+  if (path == NULL || (exists(path, &about) && S_ISFIFO(about.st_mode))) return 0;
+  const bool there = lstat(path, &about) == 0;
+  const int file = open(path, O_WRONLY | O_CREAT | O_APPEND, 0666);
+  if (file < 0) return fault_set(why, "%s: the log cannot be written: %s; name another", path, strerror(errno));
+  close(file);
+  if (!there) unlink(path);
+  return 0;
+}
+
+int outputs_check(const settings *s, fault *why) {
+  const char *const file[FILES] = {s->replay, s->save, s->json_path, s->log, s->mission, s->table, s->faults};
+  for (int i = 0; i < OUTPUTS; i++)
+    for (int j = i + 1; j < FILES; j++)
+      if (is_same(file[i], file[j]))
+        return fault_set(why, "%s: named twice, and %s; name another file for one of them", file[i],
+                         j < OUTPUTS ? "one output would overwrite the other" : "the output would overwrite the input");
+  for (int i = 0; i < OUTPUTS - 1; i++)
+    if (try_file(file[i], why) != 0) return -1;
+  return try_log(s->log, why);
+}
