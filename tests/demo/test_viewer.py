@@ -143,6 +143,7 @@ class Playing(Pages):
             "b.querySelector('.what').textContent, b.classList.contains('fault')])"
         expected = [[e["t"], e["kind"], e["text"], e["kind"] in FAULTS] for e in SAMPLE["events"]]
         self.assertEqual(self.browser.run(buttons), expected)
+        self.scrub(SAMPLE["duration"])
         lost = next(e for e in SAMPLE["events"] if e["kind"] == "lost")
         self.browser.click("#events button[data-kind='lost']")
         self.wait_time(lost["t"])
@@ -184,6 +185,7 @@ class Playing(Pages):
 class Showing(Pages):
     def test_every_number_is_the_replays(self):
         self.open_replay()
+        self.scrub(SAMPLE["duration"])
         result = SAMPLE["result"]
         for name in ("found_at", "planned_at", "all_stopped_at", "duplicates", "collisions", "deadlocks"):
             self.assert_shows(name.replace("_", "-"), result[name])
@@ -195,8 +197,45 @@ class Showing(Pages):
         late = result["found_at"] - result["planned_at"]
         self.assertEqual(self.browser.text("#late"), f"({late:.1f} s late)")
 
+    def shown(self):
+        """What is on the page: (times of the events listed, times of those marked on the time line)."""
+        return self.browser.run("""
+            const seen = (list) => [...list].filter((e) => e.checkVisibility());
+            return [seen(document.querySelectorAll("#events button")).map((b) => Number(b.dataset.t)),
+                    seen(document.querySelectorAll("#marks svg")).map((m) => Number(m.dataset.t))]""")
+
+    def test_nothing_is_told_before_it_has_happened(self):
+        self.open_replay()
+        result = SAMPLE["result"]
+        moments = {result["found_at"], result["all_stopped_at"], SAMPLE["duration"], *(e["t"] for e in SAMPLE["events"])}
+        for moment in sorted(moments):
+            for t in (moment - 0.01, moment):
+                self.scrub(max(0, t))
+                self.assert_told(max(0, t), result)
+
+    def assert_told(self, t, result):
+        self.assert_shows("found-at", result["found_at"] if t >= result["found_at"] else None)
+        self.assert_shows("planned-at", result["planned_at"] if t >= result["found_at"] else None)
+        self.assert_shows("all-stopped-at", result["all_stopped_at"] if t >= result["all_stopped_at"] else None)
+        is_over = t >= SAMPLE["duration"]
+        for name in ("duplicates", "collisions", "deadlocks"):
+            self.assert_shows(name, result[name] if is_over else None)
+        self.assert_shows("messages-terminate", result["messages"]["terminate"] if is_over else None)
+        past = [event["t"] for event in SAMPLE["events"] if event["t"] <= t]
+        self.assertEqual(self.shown(), [past, [e["t"] for e in SAMPLE["events"] if e["t"] <= t and e["kind"] != "end"]])
+
+    def test_who_goes_back_still_sees_what_was_seen(self):
+        self.open_replay()
+        self.scrub(20)
+        seen = self.shown()
+        self.assertGreater(len(seen[0]), 3)
+        self.scrub(0)
+        self.assertEqual(self.shown(), seen)
+        self.assert_shows("scanned", 0)
+
     def test_a_run_without_a_find_has_no_time_to_it(self):
         self.open_replay(result={**SAMPLE["result"], "found_at": None, "planned_at": None})
+        self.scrub(SAMPLE["duration"])
         self.assert_shows("found-at", None)
         self.assert_shows("planned-at", None)
         self.assertEqual(self.browser.text("#late"), "")
@@ -225,6 +264,59 @@ class Showing(Pages):
         self.scrub(20)
         self.browser.wait_for(f"return {picture} !== arguments[0]", before)
         self.assertEqual(self.colours_at(SAMPLE["places"][8]), 2)
+
+    def walled(self, left, top, right, bottom):
+        """The sample within walls of so many cells on each side."""
+        told = copy.deepcopy(SAMPLE)
+        width = left + told["map"]["columns"] + right
+        rows = ["#" * width] * top + ["#" * left + row + "#" * right for row in told["map"]["rows_text"]]
+        rows += ["#" * width] * bottom
+        told["map"].update(columns=width, rows=len(rows), rows_text=rows)
+        for at in told["places"]:
+            at.update(x=at["x"] + left, y=at["y"] + top)
+        told["starts"] = [[x + left, y + top] for x, y in told["starts"]]
+        told["routes"] = [[[x + left, y + top] for x, y in route] for route in told["routes"]]
+        for track in told["tracks"]:
+            track.update(x=[x + 100 * left for x in track["x"]], y=[y + 100 * top for y in track["y"]])
+        return told
+
+    def test_only_the_part_of_the_map_that_is_used_is_shown(self):
+        pictures = []
+        for walls in ((1, 1, 1, 1), (40, 1, 2, 90), (1, 33, 70, 1)):
+            self.open_text(json.dumps(self.walled(*walls)))
+            self.wait_until("main:not([hidden])")
+            self.scrub(20)
+            self.browser.draw(2)
+            pictures.append(self.coarse_picture())
+        for size, colours in pictures[1:]:
+            self.assertEqual(size, pictures[0][0])
+            self.assertLess(max(abs(a - b) for a, b in zip(colours, pictures[0][1])), 10)
+
+    def coarse_picture(self):
+        """The map's size, and its colours on a coarse grid, which rounding does not change."""
+        return self.browser.run("""
+            const map = document.querySelector("#map"), small = document.createElement("canvas");
+            small.width = small.height = 40;
+            const context = small.getContext("2d");
+            context.imageSmoothingQuality = "high";
+            context.drawImage(map, 0, 0, 40, 40);
+            return [[map.width, map.height], [...context.getImageData(0, 0, 40, 40).data]]""")
+
+    def test_a_bar_shows_the_scale(self):
+        for cell_size, unit in ((1.0, "m"), (0.05, "m"), (0.2, "m"), (7.3, "m"), (1000.0, "m"), (1.0, "cells")):
+            for width in (320, 1280):
+                self.browser.resize(width, 900)
+                self.open_replay(map={**SAMPLE["map"], "cell_size": cell_size, "unit": unit})
+                bar, cell, map_width, text = self.browser.run("""
+                    const map = document.querySelector("#map").getBoundingClientRect(), scale = document.querySelector("#scale");
+                    return [scale.firstChild.getBoundingClientRect().width, map.width / arguments[0], map.width,
+                            scale.textContent]""", SAMPLE["map"]["columns"])
+                length, _, of = text.partition(" ")
+                self.assertIn(of, ("cell", "cells") if unit == "cells" else ("m",))
+                self.assertAlmostEqual(float(length) / cell_size * cell, bar, 0)
+                self.assertIn(float(f"{float(length):e}".partition("e")[0]), (1, 2, 5))
+                self.assertLess(bar, map_width / 2)
+                self.assertGreater(bar, 15)
 
     def colours_at(self, place):
         """How many of a place's two sides differ from the bare ground: a mark is drawn there."""
@@ -264,6 +356,7 @@ class Showing(Pages):
 
     def test_every_control_has_a_name(self):
         self.open_replay()
+        self.scrub(SAMPLE["duration"])
         nodes = self.browser.devtools("Accessibility.getFullAXTree")["nodes"]
         roles = ("button", "slider", "checkbox", "image", "DisclosureTriangle")
         names = [(n["role"]["value"], n["name"]["value"]) for n in nodes if n.get("role", {}).get("value") in roles]
