@@ -142,13 +142,29 @@ static int serve(const settings *s, bus *b, const fault_script *faults, fault *w
   return status;
 }
 
+/* quarter-demo's options that a world alone knows nothing of. */
+static int check_own(const settings *s, fault *why) {
+  if (s->save == NULL && s->runs == 0 && !s->live && !s->follow && !s->processes && !s->lose_one && s->strategy == 0)
+    return 0;
+  return fault_set(why,
+                   "quarter-world takes none of --save-table, --runs, --live, --follow, --processes, --lose-one and "
+                   "--strategy: they are quarter-demo's");
+}
+
+static int check_mine(const settings *s, fault *why) {
+  const int places = p.t.policy.board.places;
+  return s->mine < places ? 0
+                          : fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
+}
+
 static int run(const settings *s, fault *why) {
   static fault_script faults;
   bus *b = NULL;
   int status = EXIT_BAD_INPUT;
-  if (outputs_check(s, why) != 0) return EXIT_BAD_INPUT;
+  if (check_own(s, why) != 0 || outputs_check(s, why) != 0) return EXIT_BAD_INPUT;
   if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, NULL, why) != 0) return EXIT_BAD_INPUT;
-  if ((s->faults == NULL || faults_read(&faults, s->faults, p.t.policy.board.seekers, why) == 0) &&
+  if (check_mine(s, why) == 0 &&
+      (s->faults == NULL || faults_read(&faults, s->faults, p.t.policy.board.seekers, why) == 0) &&
       bus_open(&b, s->lcm_url, why) == 0)
     status = serve(s, b, &faults, why);
   bus_close(b);

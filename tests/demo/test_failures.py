@@ -154,11 +154,19 @@ class Outputs(Case):
         for words in (["-o", "a", "--log", "./a"], ["--json=b", "-o", "b"], ["--save-table", "c", "--log", "c"],
                       ["--log", "own.qtr"], ["-o", "link.qtr"], ["--save-table", "link.qtr"]):
             with self.subTest(words=words):
-                for name in ("quarter-demo", "quarter-world"):
+                for name in ("quarter-demo", "quarter-world")[: 1 if "--save-table" in words else 2]:
                     ended = network.Program(program(name, MISSION, "--table", table, *words), cwd=self.folder).end(30)
                     self.line(ended, 2, "named twice")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["link.qtr", "own.qtr"])
         self.assertEqual(table.read_bytes(), asked.table.read_bytes())
+
+
+    def test_a_world_refuses_what_it_does_not_do(self):
+        for words in (["--save-table", "a.qtr"], ["--runs", 3], ["--live"], ["--follow"], ["--processes"], ["--lose-one"],
+                      ["--strategy", "nearest"]):
+            self.line(network.Program(world(*words), cwd=self.folder).end(30), 2, words[0])
+        self.line(network.Program(world("--mine", asked.places), cwd=self.folder).end(30), 2, "--mine")
+        self.assertEqual(list(self.folder.iterdir()), [])
 
 
 # ---- worlds and robots that stop ----
