@@ -218,6 +218,41 @@ class TestMcap(Bridge):
         self.assertRegex(done.stdout, r"(?m)^QUARTER_R0_POSE +9( +1)+ +8$")
         self.assertIn("CAMERA: 1 skipped: not a channel of Quarter's", done.stderr)
 
+    def test_what_a_message_says_must_be_possible(self):
+        """As demo/bus/bus.c checks it, field by field."""
+        good = {"pose": pose_at(STEP, 0), "scan": {"robot": 0, "read": 1, "mine": 0, "range": [0.5] * 24},
+                "command": {"robot": 0, "left": 0.5, "right": -0.5, "read": 1},
+                "terminate": {"sender": 1, "signal": 2, "territory": 0},
+                "status": {"robots": 2, "places": 3, "mines_found": 1, "state": [0, 3] + [9] * 14,
+                           "scanned_by": [-1, 0, 1] + [99] * 125, "found": [0, 1, 0] + [7] * 125}}
+        wrong = [math.nan, math.inf, -math.inf, 1e300, -1.1e9]
+        bad = {"pose": {name: wrong for name in ("x", "y", "heading")},
+               "scan": {"read": [2, -1], "mine": [2, -1], "range": [[0.5] * 23 + [r] for r in (math.nan, math.inf, -0.5, 2e9)]},
+               "command": {"left": wrong, "right": wrong, "read": [2, -128]},
+               "terminate": {"sender": [-1, 16, 2**31 - 1], "signal": [0, 3, -1], "territory": [-1, 16, -2**31]},
+               "status": {"robots": [-1, 17], "places": [-1, 129], "mines_found": [-1, 4], "state": [[0, 4] + [0] * 14, [-1] * 16],
+                          "scanned_by": [[2] * 128, [-2] * 128], "found": [[2] + [0] * 127, [0, -1] + [0] * 126]}}
+        channels = {"terminate": "QUARTER_TERMINATE", "status": "QUARTER_STATUS"}
+        events, counts = [("QUARTER_R16_POSE", make("pose", **pose_at(STEP, 16)))], {"QUARTER_R16_POSE": (1, 0)}
+        for kind, fields in bad.items():
+            channel = channels.get(kind, f"QUARTER_R0_{kind.upper()}")
+            told = [{}, *({name: value} for name, values in fields.items() for value in values)]
+            events += [(channel, make(kind, **{"utime": STEP, **good[kind], **change})) for change in told]
+            counts[channel] = len(told), 1
+        done = self.convert(self.log(events), "--mcap", self.mcap)
+        for channel, (messages, sound) in counts.items():
+            self.assertRegex(done.stdout, rf"(?m)^{channel} +{messages} +{sound} +{messages - sound}$")
+        for name in {"robot", *(name for fields in bad.values() for name in fields)}:
+            self.assertIn(f"its {name} cannot be", done.stderr)
+
+    def test_a_report_that_cannot_be_printed_is_said(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run(self.words(self.log(), "--mcap", self.mcap), stdout=full, stderr=subprocess.PIPE,
+                                  text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("bridge: standard output cannot be written", done.stderr.splitlines()[-1])
+        self.assertTrue(self.mcap.exists())
+
     def test_of_a_log_cut_in_the_middle_what_is_whole_arrives(self):
         events, poses = story()
         whole = self.log([e for e in events if e[0].endswith("POSE") and len(e[1]) == 44]).read_bytes()

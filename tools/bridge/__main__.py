@@ -193,10 +193,18 @@ def tell(source, tally, sinks, files, notes):
         notes.append(f"{channel}: {times} skipped: {why}")
     for note in [*source.notes, *notes]:
         print(f"bridge: note: {note}", file=sys.stderr)
+    sys.stdout.flush()
 
 
 def end(number, _):
     raise SystemExit(128 + number)
+
+
+def unsaid(error):
+    """The outputs are written, but standard output takes no report. What is left of it is dropped, or Python would try again."""
+    print(f"bridge: standard output cannot be written ({error.strerror}); the outputs are whole", file=sys.stderr)
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 2
 
 
 def main(words):
@@ -209,6 +217,8 @@ def main(words):
     except Fault as fault:
         print(f"bridge: {fault}", file=sys.stderr)
         return 2
+    except OSError as error:
+        return unsaid(error)
     except KeyboardInterrupt:
         return 130
     return 0

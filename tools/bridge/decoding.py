@@ -2,7 +2,6 @@
 
 import importlib
 import importlib.util
-import math
 import re
 import shutil
 import struct
@@ -13,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from faults import Fault, missing
+from soundness import unsound_field
 
 LCMTYPES = Path(__file__).resolve().parent.parent.parent / "lcmtypes"
 CHANNEL = re.compile(r"QUARTER_(?:R(\d{1,4})_(POSE|SCAN|COMMAND)|(TERMINATE|STATUS))")  # as demo/bus/channels.h
@@ -96,10 +96,7 @@ class Decoder:
             raise Unfit("its time cannot be")
         if robot is not None and decoded.robot != robot:
             raise Unfit("of another robot than its channel")
-        if not all(math.isfinite(number) for value in fields.values() for number in numbers(value)):
-            raise Unfit("a number in it is not finite")
+        unsound = unsound_field(kind, fields)
+        if unsound is not None:
+            raise Unfit(f"its {unsound} cannot be")
         return Message(channel, kind, decoded.utime, fields)
-
-
-def numbers(value):
-    return value if isinstance(value, (list, tuple)) else (value,)
