@@ -165,10 +165,11 @@ static void tell_figures(FILE *out, const runs_figures *f, const settings *s) {
   static const char *const strategies[] = {"the plan", "nearest first, no plan", "nearest first, full communication"};
   fprintf(out, "%s, %s%s: %s, found in %d\n", p.name, strategies[s->strategy], s->lose_one ? ", one robot lost" : "",
           counted((uint64_t)f->games, "game").text, f->found);
-  fprintf(out,
-          "time to find: mean %.2f s (planned for the same mines %.2f, expected %.2f), median %.1f, 90 %% %.1f, most "
-          "%.1f\n",
-          f->mean, f->planned_mean, f->expected, runs_quantile(f, 0.5), runs_quantile(f, 0.9), runs_quantile(f, 1.0));
+  if (f->found > 0)
+    fprintf(out,
+            "time to find: mean %.2f s (planned for the same mines %.2f, expected %.2f), median %.1f, 90 %% %.1f, most "
+            "%.1f\n",
+            f->mean, f->planned_mean, f->expected, runs_quantile(f, 0.5), runs_quantile(f, 0.9), runs_quantile(f, 1.0));
   fprintf(out,
           "a game: %.2f places scanned, %.3f of them again, %.3f collisions; games with a deadlock: %d; %.0f times "
           "real time\n",

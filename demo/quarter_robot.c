@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 
 #include "bus.h"
@@ -89,7 +90,15 @@ static int run(bus *b, const words *w) {
 
 /* ---- the table ---- */
 
-static void *read_whole(const char *path, uint32_t *size) {
+/* A plain file: a pipe might never end. NULL with *why set if it is none, or cannot be read. */
+static void *read_whole(const char *path, uint32_t *size, const char **why) {
+  struct stat about;
+  *why = "cannot be read";
+  if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
+    *why = S_ISDIR(about.st_mode) ? "is a folder; name a file in it"
+                                  : "is a device or pipe; save what it gives in a file and name that";
+    return NULL;
+  }
   FILE *file = fopen(path, "rb");
   if (file == NULL) return NULL;
   void *bytes = malloc(TABLE_MOST);
@@ -136,8 +145,9 @@ int main(int argc, char **argv) {
     fputs(help, stderr);
     return 2;
   }
-  void *bytes = read_whole(w.table, &size);
-  if (bytes == NULL) return complain(w.table, "cannot be read");
+  const char *unread;
+  void *bytes = read_whole(w.table, &size, &unread);
+  if (bytes == NULL) return complain(w.table, unread);
   int status = qtr_policy_open(&policy, bytes, size);
   if (status != QTR_OK) return complain(w.table, qtr_strerror(status));
   if (table_check(&policy, w.table, &why) != 0) {

@@ -38,17 +38,25 @@ static void on_interrupt(int number) {
   interrupted = 128 + number;
 }
 
-static void hear_other_world(void *user, const message_status *m) {
+static uint64_t statuses; /* heard */
+
+static void hear_status(void *user, const message_status *m) {
+  (void)user;
   (void)m;
-  *(bool *)user = true;
+  statuses++;
+}
+
+/* What it says itself comes back to it: more than that is another's. */
+static int check_no_other(bus *b, fault *why) {
+  if (statuses <= bus_count(b).sent[KIND_STATUS]) return 0;
+  return fault_set(why, "another world is on this bus already: end it, or give another --lcm-url");
 }
 
 static int check_alone(bus *b, fault *why) {
-  static bool other;
   const double end = clock_seconds() + LISTEN;
-  bus_hear_status(b, hear_other_world, &other);
-  while (clock_seconds() < end && !other) bus_wait(b, 50);
-  return other ? fault_set(why, "another world is on this bus already: end it, or give another --lcm-url") : 0;
+  bus_hear_status(b, hear_status, NULL);
+  while (clock_seconds() < end && statuses == 0) bus_wait(b, 50);
+  return check_no_other(b, why);
 }
 
 /* Handle what comes until a moment of the clock. */
@@ -67,6 +75,7 @@ static int gather(bus *b, fault *why) {
   while (clock_seconds() < end && interrupted == 0) {
     arena_publish(&a);
     serve_until(b, clock_seconds() + ARENA_TICK);
+    if (check_no_other(b, why) != 0) return -1; /* one that began in the same moment */
     for (missing = 0; missing < a.robots && a.robot[missing].heard; missing++) continue;
     if (missing == a.robots) return 0;
   }

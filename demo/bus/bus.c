@@ -20,6 +20,7 @@
 #define LATEST (INT64_MAX / 2) /* microseconds: moments up to here can be subtracted from one another */
 #define LOG_LEAP 60000000      /* microseconds: no robot answers later than that */
 #define QUEUE 1000             /* messages that a subscription holds: LCM's own 30 are too few for a burst */
+#define DRAUGHT (4 * QUEUE)    /* messages handled at once: who sends without end must not hold up the clock */
 #define LONGEST 65536u /* bytes of a message; LCM's count is far beyond if a packet ends within the channel's name */
 
 /* One subscription: whose messages go where. */
@@ -337,8 +338,8 @@ void bus_hear_status(bus *b, void (*hear)(void *user, const message_status *m), 
 
 int bus_drain(bus *b) {
   int handled = 0;
-  int status;
-  while ((status = lcm_handle_timeout(b->lcm, 0)) > 0) handled++;
+  int status = 0;
+  while (handled < DRAUGHT && (status = lcm_handle_timeout(b->lcm, 0)) > 0) handled++;
   return status < 0 ? -1 : handled;
 }
 

@@ -52,7 +52,7 @@ void bus_hear_command(bus *b, int robot, void (*hear)(void *user, const message_
 void bus_hear_terminate(bus *b, void (*hear)(void *user, const message_terminate *m), void *user);
 void bus_hear_status(bus *b, void (*hear)(void *user, const message_status *m), void *user);
 
-/* Handle all that waits. Returns how many messages that were, or -1 if the bus is broken. */
+/* Handle what waits, some thousand messages at most. Returns how many that were, or -1 if the bus is broken. */
 int bus_drain(bus *b);
 
 /* Wait up to `milliseconds` for a message and handle it. True if one came. */

@@ -224,6 +224,35 @@ class BrokenOff(Case):
         errors = self.check_broken_off(net, launcher, whole=True)
         self.assertIn("no robot has answered since", errors)
 
+    def test_a_flood_of_messages_holds_up_no_game(self):
+        net = self.network()
+        launcher = net.start(*demo("--processes", "--json", "--speed", 2, "--seed", 1))
+        publisher, listener = net.publisher(), net.listen()
+        listener.await_message(lambda _, channel, data: channel == "QUARTER_R0_COMMAND"
+                               and COMMAND.decode(data)["utime"] > 1e6, 30, "the game does not begin")
+        word = TERMINATE.encode(utime=1, sender=0, signal=2, territory=15)
+        noise = POSE.encode(utime=1, robot=15, x=1.0, y=1.0, heading=0.0)
+        while launcher.runs():  # the game's own pace: as fast as this process can send
+            publisher.send("QUARTER_TERMINATE", word)
+            publisher.send("QUARTER_R15_POSE", noise)
+        status, output, errors = launcher.end(30)
+        self.assertEqual((status, errors), (0, ""))
+        self.assertIsNotNone(json.loads(output)["result"]["found_at"])
+
+    def test_two_worlds_that_begin_in_the_same_moment_do_not_play_both(self):
+        net = self.network()
+        both = [net.start(*world("-q")) for _ in range(2)]
+        ended = [one.end(60) for one in both]
+        self.assertTrue(any("another world" in errors for _, _, errors in ended), ended)
+        self.assertEqual([status for status, _, _ in ended], [2, 2])
+
+    def test_a_robot_reads_its_table_from_a_plain_file_alone(self):
+        os.mkfifo(self.folder / "pipe")
+        for path, says in ((self.folder / "pipe", "pipe"), ("/dev/zero", "device"), (self.folder, "folder"),
+                           (self.folder / "none", "cannot be read")):
+            ended = network.Program(program("quarter-robot", path, "--robot", 0)).end(20)
+            self.line(ended, 2, str(path), says)
+
     def test_a_world_that_is_held_up_for_a_moment_goes_on(self):
         net, launcher, names = self.start_game("--speed", 4)
         listener = net.listen()
