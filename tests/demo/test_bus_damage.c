@@ -88,7 +88,7 @@ static int play(void) {
   bus_hear_command(b, ME, hear_command, NULL);
   bus_hear_terminate(b, hear_terminate, NULL);
   bus_hear_status(b, hear_status, NULL);
-  bus_drain(b);
+  while (bus_drain(b) > 0) continue;
   counts = bus_count(b);
   bus_close(b);
   for (int kind = 0; kind < KINDS; kind++) sum += heard[kind];
