@@ -224,6 +224,13 @@ class BrokenOff(Case):
         errors = self.check_broken_off(net, launcher, whole=True)
         self.assertIn("no robot has answered since", errors)
 
+    def test_no_program_goes_by_the_wall_clock(self):
+        """It may be set back or forth while a game runs."""
+        wall = re.compile(r"\btime\(|CLOCK_REALTIME|gettimeofday|\bftime\b|clock_gettime\((?!CLOCK_MONOTONIC)|recv_utime")
+        sources = [*(ROOT / "demo").rglob("*.[ch]")]
+        self.assertGreater(len(sources), 30)
+        self.assertEqual([(path.name, word) for path in sources for word in wall.findall(path.read_text())], [])
+
     def test_a_flood_of_messages_holds_up_no_game(self):
         net = self.network()
         launcher = net.start(*demo("--processes", "--json", "--speed", 2, "--seed", 1))
