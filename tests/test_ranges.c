@@ -350,6 +350,7 @@ static void disturb(qtr_seeker *seeker, test_random *random) {
   const unsigned territory = any_number(random, policy.board.seekers);
   const uint16_t before = qtr_seeker_target(seeker);
   qtr_seeker_visited(seeker, place);
+  TEST_ASSERT_EQUAL_MESSAGE(place < policy.board.places, qtr_places_has(&seeker->visited, place), case_note);
   if (place >= policy.board.places) TEST_ASSERT_EQUAL_HEX16_MESSAGE(before, qtr_seeker_target(seeker), case_note);
   const uint16_t target = qtr_seeker_target(seeker);
   const int signal = random_chance(random, 70) ? QTR_SIGNAL_TERRITORY_DONE : (int)any_number(random, 3);
