@@ -123,8 +123,9 @@ static int check_weights(const qtr_policy *policy) {
   return sum + places >= one && sum <= one + places ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
+/* A cell outside is of no region, nor is the cell of a start that is none. */
 static uint32_t region_of(const qtr_policy *policy, uint32_t cell) {
-  return load16_le(policy->regions + 2 * cell);
+  return cell < qtr_grid_cells(&policy->grid) ? load16_le(policy->regions + 2 * cell) : QTR_POLICY_NO_REGION;
 }
 
 /* Every free cell belongs to a region, whose start lies in it; blocked cells belong to none. */
@@ -133,10 +134,9 @@ static int check_regions(const qtr_policy *policy) {
   for (uint32_t cell = 0; policy->regions != NULL && cell < cells; cell++) {
     const bool is_free = qtr_grid_cost(&policy->grid, (qtr_cell)cell) > 0;
     const uint32_t region = region_of(policy, cell);
-    if (!is_free && region != QTR_POLICY_NO_REGION) return QTR_ERR_CORRUPT;
-    if (!is_free) continue;
-    if (region >= policy->board.starts) return QTR_ERR_CORRUPT;
-    if (region_of(policy, qtr_policy_cell(policy, policy->board.places + region)) != region) return QTR_ERR_CORRUPT;
+    if ((region == QTR_POLICY_NO_REGION) == is_free) return QTR_ERR_CORRUPT;
+    const qtr_cell start = qtr_policy_cell(policy, policy->board.places + region);
+    if (is_free && region_of(policy, start) != region) return QTR_ERR_CORRUPT;
   }
   return QTR_OK;
 }
