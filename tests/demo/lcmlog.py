@@ -1,5 +1,6 @@
 """Messages of lcmtypes/ and LCM's log files, read and written by code that shares nothing with LCM's own."""
 
+import contextlib
 import re
 import struct
 from pathlib import Path
@@ -15,7 +16,7 @@ class Type:
     """One struct: its mark of 8 bytes, and its fields' layout."""
 
     def __init__(self, path):
-        text = re.sub(r"//.*", "", path.read_text())
+        text = re.sub(r"//.*", "", path.read_text(encoding="utf-8"))
         constants = {name: int(value) for name, value in re.findall(r"const\s+int32_t\s+(\w+)\s*=\s*(\d+)\s*;", text)}
         body = re.sub(r"const[^;]*;", "", text[text.index("{") + 1:text.rindex("}")])
         mark = 0x12345678
@@ -80,22 +81,36 @@ def type_of(channel):
     return ON_ROBOT_CHANNEL[match[2]], int(match[1])
 
 
-def read(path):
-    """[(timestamp, channel, data)]. ValueError: the log is not whole from its first byte to its last."""
+def events_of(path):
+    """Each (timestamp, channel, data). ValueError where the log is not whole."""
     data = Path(path).read_bytes()
-    events = []
     at = 0
+    number = 0
     while at < len(data):
         if at + 28 > len(data):
-            raise ValueError(f"{path}: ends within the head of event {len(events)}")
-        sync, number, timestamp, channel_size, data_size = struct.unpack_from(">IqqII", data, at)
+            raise ValueError(f"{path}: ends within the head of event {number}")
+        sync, said, timestamp, channel_size, data_size = struct.unpack_from(">IqqII", data, at)
         at += 28
-        if sync != SYNC or number != len(events):
-            raise ValueError(f"{path}: event {len(events)} has sync word {sync:08x} and number {number}")
+        if sync != SYNC or said != number:
+            raise ValueError(f"{path}: event {number} has sync word {sync:08x} and number {said}")
         if at + channel_size + data_size > len(data):
-            raise ValueError(f"{path}: ends within event {len(events)}")
+            raise ValueError(f"{path}: ends within event {number}")
         channel = data[at:at + channel_size].decode()
         at += channel_size
-        events.append((timestamp, channel, data[at:at + data_size]))
+        yield timestamp, channel, data[at:at + data_size]
         at += data_size
+        number += 1
+
+
+def read(path):
+    """[(timestamp, channel, data)]. ValueError: the log is not whole from its first byte to its last."""
+    return list(events_of(path))
+
+
+def read_so_far(path):
+    """The same of a log that is being written: what is whole of it."""
+    events = []
+    with contextlib.suppress(ValueError, FileNotFoundError):
+        for event in events_of(path):
+            events.append(event)
     return events

@@ -2,11 +2,15 @@
 
 A holder process (this file, run inside) keeps the namespace and opens sockets in it, which it hands out; the test
 itself stays outside. All processes that were started in it end with it.
+
+Whoever waits here waits for what happens: a line, a message, a file that was written, a process that has ended.
 """
 
-import contextlib
+import ctypes
 import functools
 import os
+import re
+import select
 import shutil
 import signal
 import socket
@@ -14,54 +18,56 @@ import struct
 import subprocess
 import sys
 import threading
-import time
 import unittest
 from pathlib import Path
-
-os.environ["PATH"] += ":/usr/sbin:/sbin"  # of ip and nft; not every user looks there
 
 GROUP = "239.255.76.67"
 PORT = 7667
 URL = f"udpm://{GROUP}:{PORT}?ttl=0"
 OTHER_ADDRESS = "10.7.7.7"
 SHORT = 0x4C433032  # magic number of a message in one packet
+SELF_TEST = "LCM_SELF_TEST"  # what LCM says to itself when it has joined
 LOOPBACK = f"ip link set lo up && ip addr add {OTHER_ADDRESS}/32 dev lo"
 MULTICAST = "ip link set lo multicast on && ip route add 224.0.0.0/4 dev lo"
 LOSS = ("nft add table ip t && nft add chain ip t in '{ type filter hook input priority 0; }' && "
         f"nft add rule ip t in udp dport %d numgen random mod 100 \\< %d drop")
 
 
-def until(holds, seconds, what):
-    """Poll until it holds; what it gave then. AssertionError after some seconds without."""
-    end = time.monotonic() + seconds
-    while True:
-        value = holds()
-        if value:
-            return value
-        if time.monotonic() > end:
-            raise AssertionError(f"after {seconds} s: {what() if callable(what) else what}")
-        time.sleep(0.01)
+HANG = 900  # seconds: no measure of anything, only what ends a test that hangs
+
+os.environ["PATH"] += ":/usr/sbin:/sbin"  # where ip and nft are, though not on every user's path
 
 
-@functools.lru_cache
-def refusal(namespaces="-rn", tools=("ip",)):
-    """Why these namespaces (unshare's words) or tools are not to be had here; "" where they are."""
-    missing = [tool for tool in ("unshare", *tools) if shutil.which(tool) is None]
+@functools.cache
+def own_network():
+    """The words before a program that give it a network of its own; none if that is not allowed here."""
+    for words in ("unshare", "-rn"), ("unshare", "-n"):  # the latter: as root, where user namespaces are forbidden
+        if shutil.which(words[0]) and subprocess.run([*words, "true"], capture_output=True).returncode == 0:
+            return words
+    return ()
+
+
+def need_network(loss=False):
+    """Skip what cannot be tested here, and say why."""
+    missing = [tool for tool in ("unshare", "ip", *["nft"] * loss) if shutil.which(tool) is None]
     if missing:
-        return f"{' and '.join(missing)} missing: install util-linux, iproute2 and nftables"
-    tried = subprocess.run(["unshare", namespaces, "true"], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    return f"user namespaces are forbidden here ({tried.stderr.strip()})" if tried.returncode else ""
+        raise unittest.SkipTest(f"{' and '.join(missing)} missing: install util-linux, iproute2 and nftables")
+    if not own_network():
+        raise unittest.SkipTest("user namespaces are forbidden here, and this is not root")
 
 
 class Program:
-    """A started program: its process id, and its end within bounded time."""
+    """A started program: what it says, and its end."""
 
     def __init__(self, words, **options):
         self.words = [str(word) for word in words]
         self.process = subprocess.Popen(self.words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                        stderr=subprocess.PIPE, text=True, start_new_session=True, **options)
+                                        stderr=subprocess.PIPE, encoding="utf-8", errors="replace",
+                                        start_new_session=True, **options)
         self.pid = self.process.pid
         self.output, self.lines = [], []  # so far
+        self.news = threading.Condition()
+        self.silent = False  # its standard error is closed
         self.readers = [threading.Thread(target=self.read, args=pair, daemon=True)
                         for pair in ((self.process.stdout, self.output), (self.process.stderr, self.lines))]
         for reader in self.readers:
@@ -70,10 +76,22 @@ class Program:
     def read(self, stream, lines):
         with stream:
             for line in stream:
-                lines.append(line)
+                with self.news:
+                    lines.append(line)
+                    self.news.notify_all()
+        with self.news:
+            self.silent = self.silent or lines is self.lines
+            self.news.notify_all()
 
-    def runs(self):
-        return self.process.poll() is None
+    def await_line(self, pattern):
+        """The match of the first line on its standard error that has one."""
+        with self.news:
+            while True:
+                for line in self.lines:
+                    if match := re.search(pattern, line):
+                        return match
+                if self.silent or not self.news.wait(HANG):
+                    raise AssertionError(f"{' '.join(self.words)}: no {pattern} in {self.lines}")
 
     def send(self, number):
         self.process.send_signal(number)
@@ -82,48 +100,61 @@ class Program:
         """{process id: words}, of those that are there now."""
         found = {}
         try:
-            pids = Path(f"/proc/{self.pid}/task/{self.pid}/children").read_text().split()
+            pids = Path(f"/proc/{self.pid}/task/{self.pid}/children").read_text(encoding="ascii").split()
             for pid in pids:
-                found[int(pid)] = Path(f"/proc/{pid}/cmdline").read_text().split("\0")[:-1] or [""]
+                found[int(pid)] = os.fsdecode(Path(f"/proc/{pid}/cmdline").read_bytes()).split("\0")[:-1] or [""]
         except OSError:
             pass  # gone meanwhile
         return found
 
-    def end(self, seconds):
+    def end(self):
         """(status, standard output, standard error) once it has ended by itself."""
-        try:
-            self.process.wait(seconds)
-        except subprocess.TimeoutExpired:
-            self.kill()
-            raise AssertionError(f"{' '.join(self.words)}: still runs after {seconds} s; it said: "
-                                 + "".join(self.lines)) from None
+        watchdog = threading.Timer(HANG, self.process.kill)
+        watchdog.start()
+        self.process.wait()
+        watchdog.cancel()
         for reader in self.readers:  # which would not end if a child of it lived on
-            reader.join(5)
+            reader.join(HANG)
         return self.process.returncode, "".join(self.output), "".join(self.lines)
 
     def kill(self):
-        if self.runs():
-            self.process.kill()
-        self.process.wait(10)
+        self.process.kill()  # nothing if it has ended
+        self.process.wait()
+
+
+def await_file(path, holds, nudge=None):
+    """Until holds(), looked at whenever something is written in the folder of `path`. Where nothing is, nudge() is to make
+    a program write what it keeps."""
+    libc = ctypes.CDLL(None, use_errno=True)
+    handle = libc.inotify_init1(os.O_CLOEXEC)
+    try:
+        libc.inotify_add_watch(handle, os.fsencode(path.parent), 0x102)  # IN_MODIFY, IN_CREATE
+        while not holds():
+            if select.select([handle], [], [], 0.1 if nudge else HANG)[0]:
+                os.read(handle, 65536)
+            elif nudge:
+                nudge()
+            else:
+                raise AssertionError(f"{path}: nothing was written")
+    finally:
+        os.close(handle)
 
 
 class Network:
     def __init__(self, loss=0, multicast=True):
-        if reason := refusal(tools=("ip", "nft") if loss > 0 else ("ip",)):
-            raise unittest.SkipTest(reason)
+        need_network(loss > 0)
         setup = [LOOPBACK] + [MULTICAST] * multicast + [LOSS % (PORT, loss)] * (loss > 0)
         self.ours, theirs = socket.socketpair()
-        self.ours.settimeout(20)
         self.programs = []
         self.sockets = []
         self.listeners = []
         self.lock = threading.Lock()
         self.holder = subprocess.Popen(
-            ["unshare", "-rn", "sh", "-c", " && ".join(setup) + ' && exec "$@"', "sh", sys.executable, "-B", __file__,
+            [*own_network(), "sh", "-c", " && ".join(setup) + ' && exec "$@"', "sh", sys.executable, "-B", __file__,
              str(theirs.fileno())], pass_fds=[theirs.fileno()], stdin=subprocess.DEVNULL, start_new_session=True)
         theirs.close()
         if self.ours.recv(1) != b"+":
-            raise AssertionError("no network namespace, although they are allowed")
+            raise AssertionError(f"a network could not be set up: status {self.holder.wait()}")
         self.name = os.readlink(f"/proc/{self.holder.pid}/ns/net")
 
     def __enter__(self):
@@ -140,20 +171,17 @@ class Network:
         for one in self.sockets:
             one.close()
         self.ours.close()
-        try:
-            self.holder.wait(10)
-        except subprocess.TimeoutExpired:
-            self.holder.kill()
-            self.holder.wait(10)
+        self.holder.wait()
 
     def start(self, *words, **options):
-        enter = "nsenter", "--preserve-credentials", "-U", "-n", "-t", self.holder.pid, "--"  # becomes the program
+        user = ["--preserve-credentials", "-U"] if "-rn" in own_network() else []
+        enter = "nsenter", *user, "-n", "-t", self.holder.pid, "--"  # becomes the program
         program = Program([*enter, *words], **options)
         self.programs.append(program)
         return program
 
-    def run(self, *words, seconds=60, **options):
-        return self.start(*words, **options).end(seconds)
+    def run(self, *words, **options):
+        return self.start(*words, **options).end()
 
     def inhabitants(self):
         """The processes in this network, but for the holder."""
@@ -182,21 +210,12 @@ class Network:
         self.listeners.append(listener)
         return listener
 
-    def joined(self):
-        """How many sockets hear LCM's group."""
-        group = struct.unpack("=I", socket.inet_aton(GROUP))[0]
-        for line in Path(f"/proc/{self.holder.pid}/net/igmp").read_text().splitlines():
-            words = line.split()
-            if words[0] == f"{group:08X}":
-                return int(words[1])
-        return 0
-
     def publisher(self):
         return Publisher(self.socket("udp"))
 
 
 def is_zombie(pid):
-    return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
+    return Path(f"/proc/{pid}/stat").read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()[0] == "Z"
 
 
 class Publisher:
@@ -216,67 +235,79 @@ class Publisher:
         self.socket.sendto(packet, (GROUP, PORT))
 
 
-class Listener:
-    """Hears all of LCM's short messages, in a thread: self.heard grows, of (source port, channel, data)."""
+class Ear:
+    """Takes all that comes to a socket, in a thread, until it is closed: what has come by then is taken."""
 
     def __init__(self, one):
         self.socket = one
-        self.socket.settimeout(0.1)
-        self.heard = []
-        self.over = False
-        self.news = threading.Condition()
+        self.over, self.ender = socket.socketpair()
         self.thread = threading.Thread(target=self.listen, daemon=True)
         self.thread.start()
 
     def listen(self):
-        while not self.over:
-            try:
-                packet, source = self.socket.recvfrom(65536)
-            except TimeoutError:
-                continue
-            if len(packet) < 9 or struct.unpack_from(">I", packet)[0] != SHORT or b"\0" not in packet[8:]:
-                continue
-            channel, _, data = packet[8:].partition(b"\0")
-            with self.news:
-                self.heard.append((source[1], channel.decode("latin-1"), data))
-                self.news.notify_all()
-
-    def await_message(self, fits, seconds, what, begin=0):
-        """The first message, from number `begin` on, that fits(source, channel, data), and its number."""
-        end = time.monotonic() + seconds
-        with self.news:
-            while True:
-                for number in range(begin, len(self.heard)):
-                    if fits(*self.heard[number]):
-                        return self.heard[number], number
-                begin = len(self.heard)
-                left = end - time.monotonic()
-                if left <= 0:
-                    raise AssertionError(f"after {seconds} s on the bus: {what}")
-                self.news.wait(left)
+        while True:
+            ready = select.select([self.socket, self.over], [], [])[0]
+            if self.socket not in ready:
+                break
+            self.take(*self.socket.recvfrom(65536))
 
     def close(self):
-        self.over = True
-        self.thread.join(5)
+        self.ender.close()
+        self.thread.join()
+        self.over.close()
 
 
-class Wire:
+class Listener(Ear):
+    """Hears all of LCM's short messages: self.heard grows, of (source port, channel, data)."""
+
+    def __init__(self, one):
+        self.heard = []
+        self.news = threading.Condition()
+        super().__init__(one)
+
+    def take(self, packet, source):
+        if len(packet) < 9 or struct.unpack_from(">I", packet)[0] != SHORT or b"\0" not in packet[8:]:
+            return
+        channel, _, data = packet[8:].partition(b"\0")
+        with self.news:
+            self.heard.append((source[1], channel.decode("latin-1"), data))
+            self.news.notify_all()
+
+    def await_that(self, holds, what, seconds=HANG):
+        """What holds() gives, as soon as that is true; None if it never is in these seconds."""
+        with self.news:
+            value = self.news.wait_for(holds, seconds)
+        if not value and seconds == HANG:
+            raise AssertionError(f"never came on the bus: {what}")
+        return value or None
+
+    def await_message(self, fits, what, begin=0, seconds=HANG):
+        """The first message, from number `begin` on, that fits(source, channel, data), and its number."""
+        at = begin
+
+        def look():
+            nonlocal at
+            while at < len(self.heard):
+                if fits(*self.heard[at]):
+                    return self.heard[at], at
+                at += 1
+            return None
+        return self.await_that(look, what, seconds)
+
+    def await_members(self, members):
+        """Until so many programs are on the bus: each says so when it has joined."""
+        self.await_that(lambda: members <= len({source for source, channel, _ in self.heard if channel == SELF_TEST}),
+                        f"{members} programs that join")
+
+
+class Wire(Ear):
     """All packets that pass a network, whatever they are, but for the kernel's own IGMP: {(source port, kind)}."""
 
     def __init__(self, net):
-        self.socket = net.socket("packets")
-        self.socket.settimeout(0.1)
         self.seen = set()
-        self.over = threading.Event()
-        self.thread = threading.Thread(target=self.watch, daemon=True)
-        self.thread.start()
+        super().__init__(net.socket("packets"))
 
-    def watch(self):
-        while not self.over.is_set():
-            with contextlib.suppress(TimeoutError):
-                self.note(self.socket.recv(65536))
-
-    def note(self, packet):
+    def take(self, packet, _):
         if packet[0] >> 4 != 4:
             return self.seen.add((None, f"not IPv4: {packet[:8].hex()}"))
         head = 4 * (packet[0] & 15)
@@ -288,10 +319,6 @@ class Wire:
         if (packet[16:20], port) != (socket.inet_aton(GROUP), PORT):
             return self.seen.add((source, f"UDP to {packet[16:20].hex()}:{port}"))
         return self.seen.add((source, packet[head + 16:].partition(b"\0")[0].decode("latin-1")))
-
-    def close(self):
-        self.over.set()
-        self.thread.join(5)
 
 
 # ---- inside ----

@@ -3,7 +3,6 @@
 import math
 
 from lcmlog import COMMAND, FOUND, POSE, SCAN, STATUS, TERMINATE
-from network import until
 
 TICK = 0.05  # seconds between poses
 MINE_RANGE = 0.36  # cells
@@ -33,13 +32,13 @@ class ScriptedWorld:
         return f"QUARTER_R{self.number}_{kind}"
 
     def start(self, *words):
-        """Start the robot; it hears and answers when this returns."""
+        """Start the robot; it hears and answers when this returns. As every world it says the robot's pose until it does."""
         self.program = self.net.start(*words)
-
-        def answered():
+        answered = None
+        while answered is None:
             self.publish(False)
-            return any(channel == self.channel("COMMAND") for _, channel, _ in list(self.listener.heard))
-        until(answered, 10, "the robot does not answer")
+            answered = self.listener.await_message(lambda _, channel, __: channel == self.channel("COMMAND"),
+                                                   "an answer of the robot's", seconds=TICK)
 
     def publish(self, mine):
         number = self.number
@@ -60,7 +59,7 @@ class ScriptedWorld:
         def answers(source, channel, data):
             return channel == self.channel("COMMAND") and COMMAND.decode(data)["utime"] == self.utime
 
-        (_, _, data), number = self.listener.await_message(answers, 10, "the robot gives no command", self.at)
+        (_, _, data), number = self.listener.await_message(answers, "the robot's command", self.at)
         for source, channel, said in self.listener.heard[self.at:number]:
             if channel == "QUARTER_TERMINATE" and source != self.publisher.port:
                 message = TERMINATE.decode(said)

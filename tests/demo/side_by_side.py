@@ -6,24 +6,24 @@ import sys
 import unittest
 
 
-AT_ONCE = 12
+AT_ONCE = 8
 
 
-class Runner(unittest.TextTestRunner):
-    """Tests side by side. Where all were skipped, status 77."""
+class Telling(unittest.TextTestRunner):
+    """Says what was skipped, and why, as `./run test` shows it. Ends with 77 if that was all."""
 
     def run(self, test):
-        result = super().run(SideBySide(flatten(test)))
-        tell_skipped(result)
+        result = super().run(test)
+        for reason, times in collections.Counter(reason for _, reason in result.skipped).items():
+            print(f"SKIPPED: {times} of {result.testsRun} cases: {reason}", flush=True)
+        if result.skipped and len(result.skipped) == result.testsRun and result.wasSuccessful():
+            sys.exit(77)
         return result
 
 
-def tell_skipped(result):
-    """A line for each reason why tests were skipped, which `./run test` shows; ends with 77 if there were no others."""
-    for reason, times in collections.Counter(reason for _, reason in result.skipped).items():
-        print(f"SKIPPED: {times} of {result.testsRun} cases: {reason}", flush=True)
-    if result.skipped and len(result.skipped) == result.testsRun and result.wasSuccessful():
-        sys.exit(77)
+class Runner(Telling):
+    def run(self, test):
+        return super().run(SideBySide(flatten(test)))
 
 
 def flatten(suite):

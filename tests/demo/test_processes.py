@@ -1,7 +1,8 @@
 """test_processes.py --programs FOLDER --lcm FOLDER [unittest's words]: the demo's programs, from outside.
 
 Games over udpm, each in a network of its own, with packets lost, robots killed, strangers on the bus and bad input. The
-tests run side by side: a game in real time waits most of the time. Writes into the working directory alone.
+tests run side by side: a game in real time waits most of the time. What must come soon is counted in messages, in the
+order in which they were heard: how fast the machine is does not matter. Writes into the working directory alone.
 """
 
 import argparse
@@ -28,7 +29,7 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the checkout
 import lcmlog  # noqa: E402
 import network  # noqa: E402
 from lcmlog import COMMAND, DONE, FOUND, POSE, SCAN, STATUS, TERMINATE  # noqa: E402
-from network import Network, Wire, until  # noqa: E402
+from network import Network, Wire, await_file  # noqa: E402
 from scripted_world import ScriptedWorld  # noqa: E402
 from side_by_side import Runner  # noqa: E402
 
@@ -54,7 +55,7 @@ def robot(number, *words):
 
 
 def page_data(path):
-    return json.loads(LINE.search(Path(path).read_text())[1])
+    return json.loads(LINE.search(Path(path).read_text(encoding="utf-8"))[1])
 
 
 def prepare():
@@ -65,12 +66,12 @@ def prepare():
     asked.table = folder / "mission.qtr"
     status, _, errors = network.Program(
         [asked.programs / "quarter-demo", MISSION, "--learn-limit", 2, "--save-table", asked.table, "--mine", "none",
-         "-o", folder / "plan.html", "--quiet"]).end(60)
+         "-o", folder / "plan.html", "--quiet"]).end()
     assert status == 0, errors
     asked.plan = page_data(folder / "plan.html")
     planned = sorted((place["planned"], number) for number, place in enumerate(asked.plan["places"])
                      if place["planned"] is not None)
-    asked.soon = [number for seconds, number in planned if seconds < 20]
+    asked.soon = [number for seconds, number in planned if seconds < 20]  # the soonest first
     assert len(asked.soon) >= 2, planned
 
 
@@ -83,20 +84,18 @@ class Case(unittest.TestCase):
     def network(self, **options):
         return self.enterContext(Network(**options))
 
-    def play(self, net, *words, name="game", seconds=60):
+    def play(self, net, *words, name="game"):
         """A game in processes: (what its JSON says, the programs' standard error). Nobody is left behind."""
         outputs = "--json", "--log", self.folder / f"{name}.lcm", "-o", self.folder / f"{name}.html"
-        status, output, errors = net.run(*demo("--processes", *outputs, *words), seconds=seconds)
+        status, output, errors = net.run(*demo("--processes", *outputs, *words))
         self.assertEqual(status, 0, errors)
         self.assertEqual(net.inhabitants(), [])
         return json.loads(output), errors
 
-    def check_log(self, path, game, *, lossless, slack):
-        """A log against the JSON of its game; `slack` seconds at most between a message and the world's hearing it."""
+    def check_messages(self, path, game):
+        """A log against the JSON of its game, whatever was lost: {kind: how many}."""
         sent = collections.Counter()
         last = 0
-        stands_since = {}
-        mine_seen = []
         for time, channel, data in lcmlog.read(path):
             kind, number = lcmlog.type_of(channel)
             message = kind.decode(data)
@@ -113,46 +112,69 @@ class Case(unittest.TestCase):
             if kind in (POSE, SCAN, STATUS):
                 self.assertGreaterEqual(time, last)
                 last = time
+        self.assertLess(last / 1e6, game["duration"])
+        self.assertEqual(sent["command"], game["result"]["messages"]["command"])
+        self.assertEqual(sent["terminate"], game["result"]["messages"]["terminate"])
+        return sent
+
+    def check_story(self, path, game):
+        """Where nothing was lost, a log tells when it was found and when each robot stopped."""
+        mine_seen, poses = [], collections.defaultdict(list)
+        stands_since = {}
+        for time, channel, data in lcmlog.read(path):
+            kind, number = lcmlog.type_of(channel)
+            message = kind.decode(data)
+            if kind is POSE:
+                poses[number].append(round(time / 1e6 / TICK))
             if kind is SCAN and message["mine"]:
-                mine_seen.append(time)
-            if kind is COMMAND:
-                if message["left"] or message["right"]:
-                    stands_since.pop(number, None)
-                else:
-                    stands_since.setdefault(number, time)
-        messages = game["result"]["messages"]
-        self.assertEqual(sent["command"], messages["command"])
-        self.assertEqual(sent["terminate"], messages["terminate"])
-        if not lossless:
-            self.assertLess(sent["pose"], messages["pose"])
-            return
-        # A busy machine's world may end before it has its own last messages back.
-        late = game["duration"] - (last / 1e6 + TICK)
-        missing = game["robots"] * (round(late / TICK) + (slack > 0))
-        self.assertLessEqual(abs(late), slack + 1e-6)
-        for kind in ("pose", "scan"):
-            self.assertIn(sent[kind], range(messages[kind] - missing, messages[kind] + 1))
-        self.assertEqual(mine_seen[0] / 1e6 if mine_seen else None, game["result"]["found_at"])
+                mine_seen.append(time / 1e6)
+            if kind is COMMAND and (message["left"] or message["right"]):
+                stands_since.pop(number, None)
+            elif kind is COMMAND:
+                stands_since.setdefault(number, time / 1e6)
+        for ticks in poses.values():
+            self.assertEqual(sorted(set(ticks)), list(range(ticks[-1] + 1)))
+        self.assertEqual(mine_seen[:1], [game["result"]["found_at"]] if game["result"]["found_at"] is not None else [])
         self.assertEqual(len(stands_since), game["robots"])
-        self.assertAlmostEqual(max(stands_since.values()) / 1e6, game["result"]["all_stopped_at"], delta=slack + 1e-9)
-
-
-def first_found(path):
-    """Seconds at which the world first heard that it is found."""
-    return min(time for time, channel, data in lcmlog.read(path)
-               if channel == "QUARTER_TERMINATE" and TERMINATE.decode(data)["signal"] == FOUND) / 1e6
+        return max(stands_since.values())
 
 
 # ---- games ----
 
-def stopping_time(game):
-    """Seconds from the finding until all stood."""
-    return game["result"]["all_stopped_at"] - game["result"]["found_at"]
+def is_found(channel, data):
+    return channel == "QUARTER_TERMINATE" and TERMINATE.decode(data)["signal"] == FOUND
 
 
 class Games(Case):
+    TOLD, OVERTAKEN = 5, 3
+
+    def check_all_stop(self, path, robots):
+        """Who was told TOLD times that it is found drives no more.
+
+        All programs of a network hear the same packets, so a log has what every robot heard, in the order in which it
+        did: a pose that comes after FOUND is answered by an order to stand, however late. A few poses may have overtaken
+        it on another processor. There is no chance in this, whatever share is lost: a lost packet is lost for all.
+        """
+        events = lcmlog.read(path)
+        told = [index for index, (_, channel, data) in enumerate(events) if is_found(channel, data)]
+        self.assertGreater(len(told), self.TOLD)
+        after = events[told[self.TOLD - 1] + 1:]
+        for robot in range(robots):
+            poses = [time for time, channel, _ in after if channel == f"QUARTER_R{robot}_POSE"]
+            orders = [COMMAND.decode(data) for _, channel, data in after if channel == f"QUARTER_R{robot}_COMMAND"]
+            late = [order for order in orders if len(poses) > self.OVERTAKEN and order["utime"] >= poses[self.OVERTAKEN]]
+            self.assertTrue(orders)
+            self.assertEqual([order for order in late if order["left"] or order["right"]], [], f"robot {robot}")
+
     def play_all(self, loss, seeds, *words):
-        """{name: JSON}, of a game for each seed, side by side, the mine at each of the near places in turn."""
+        """A game for each seed, side by side, the mine at each of the near places in turn.
+
+        With 60 % lost: a robot over the mine has its sensor read in a tick if its order and the scan come through, 0.16,
+        and stays until it has; of the rest of the game's time limit, 2000 ticks and more, 1 in 0.84 ** -2000 has none.
+        All that must come through at all is repeated as often.
+        """
+        network.need_network(loss > 0)
+
         def play(seed):
             with Network(loss=loss) as net:
                 mine = asked.soon[seed % len(asked.soon)]
@@ -161,31 +183,24 @@ class Games(Case):
             self.assertEqual(game["mine"], mine)
             self.assertIsNotNone(game["result"]["found_at"], game)
             self.assertIsNotNone(game["result"]["all_stopped_at"], game)
-            self.check_log(self.folder / f"seed{seed}.lcm", game, lossless=loss == 0, slack=0.5)
-            return game
+            log = self.folder / f"seed{seed}.lcm"
+            sent = self.check_messages(log, game)
+            self.check_all_stop(log, game["robots"])
+            if loss > 0:
+                self.assertLess(sent["pose"], game["result"]["messages"]["pose"])
+            else:  # the world hears an order no sooner than it is given
+                self.assertLessEqual(self.check_story(log, game), game["result"]["all_stopped_at"] + 1e-9)
         with concurrent.futures.ThreadPoolExecutor(len(seeds)) as pool:
-            return dict(zip((f"seed{seed}" for seed in seeds), pool.map(play, seeds)))
+            list(pool.map(play, seeds))
 
-    def check_delays(self, delays, most):
-        """The kernel's dice have no seed: one game in all may take longer, but none thrice as long."""
-        self.assertLessEqual(sorted(delays)[-2], most, delays)
-        self.assertLessEqual(max(delays), 3 * most, delays)
+    def test_all_stop_once_it_is_found(self):
+        self.play_all(0, [1, 2, 3])
 
-    def test_all_stop_within_half_a_second(self):
-        for game in self.play_all(0, [1, 2, 3]).values():
-            self.assertLessEqual(stopping_time(game), 0.5, game)
+    def test_all_stop_with_30_percent_of_packets_lost(self):
+        self.play_all(30, [1, 2, 3])
 
-    def test_all_stop_within_a_second_with_30_percent_of_packets_lost(self):
-        games = self.play_all(30, [1, 2, 3, 4])
-        self.check_delays([stopping_time(game) for game in games.values()], 1.0)
-
-    def test_all_stop_within_3_seconds_with_60_percent_of_packets_lost(self):
-        """From when one of them knows: the finder's own scans are lost as well, and it may have to turn round."""
-        games = self.play_all(60, [1, 2, 3, 4], "--speed", 2)
-        self.check_delays([game["result"]["all_stopped_at"] - first_found(self.folder / f"{name}.lcm")
-                           for name, game in games.items()], 3.0)
-        for game in games.values():
-            self.assertLessEqual(stopping_time(game), 20.0, game)
+    def test_all_stop_with_60_percent_of_packets_lost(self):
+        self.play_all(60, [1, 2, 3], "--speed", 2)
 
     def test_logs_of_games_in_one_process(self):
         for mission in ("minefield", "site", "turtlebot3_world", "warehouse"):
@@ -194,11 +209,14 @@ class Games(Case):
                     log = self.folder / f"{mission}.lcm"
                     status, output, errors = network.Program(
                         [asked.programs / "quarter-demo", MISSIONS / mission / "mission.yaml", "--learn-limit", 1,
-                         "--json", "--log", log, *mode]).end(60)
+                         "--json", "--log", log, *mode]).end()
                     self.assertEqual((status, errors), (0, ""))
                     game = json.loads(output)
                     self.assertEqual(game["result"]["found_at"] is None, mode[-1:] == ["none"])
-                    self.check_log(log, game, lossless=True, slack=0.0)
+                    sent = self.check_messages(log, game)
+                    for kind in ("pose", "scan"):
+                        self.assertEqual(sent[kind], game["result"]["messages"][kind])
+                    self.assertAlmostEqual(self.check_story(log, game), game["result"]["all_stopped_at"])
 
 
 # ---- one robot alone ----
@@ -239,12 +257,14 @@ class RobotAlone(Case):
         self.assertEqual(own, sorted(own, key=lambda place: places[place]["planned"]))
         self.assertEqual({(sender, signal) for sender, signal, _ in scripted.said}, {(self.NUMBER, DONE)})
         self.assertIn((self.NUMBER, DONE, self.NUMBER), scripted.said)
-        self.assertEqual(scripted.program.end(10)[0], 0)  # the world is silent: it is over
+        self.assertEqual(scripted.program.end()[0], 0)  # the world is silent: it is over
         self.check_wire(scripted, wire)
 
     def test_it_stops_and_says_so_when_its_sensor_sees_the_mine(self):
         scripted, wire = self.begin()
-        until(lambda: scripted.tick(mine=True) and scripted.scanned, 60, "it never reads its sensor")
+        while not scripted.scanned:
+            scripted.tick(mine=True)
+            self.assertLess(scripted.utime, 200e6, "it never reads its sensor")
         while not scripted.stands(scripted.tick(mine=True)):
             self.assertEqual(len(scripted.scanned), 1)
             self.assertLess(scripted.utime, 200e6)
@@ -255,7 +275,8 @@ class RobotAlone(Case):
 
     def test_it_stops_at_once_when_another_has_found_it_and_passes_that_on(self):
         scripted, wire = self.begin()
-        until(lambda: not scripted.stands(scripted.tick()), 10, "it does not drive")
+        while scripted.stands(scripted.tick()):
+            self.assertLess(scripted.utime, 10e6, "it does not drive")
         scripted.tell(FOUND)
         self.assertTrue(scripted.stands(scripted.tick()))
         for _ in range(10):
@@ -271,7 +292,7 @@ class BadInput(Case):
         """Ends with this status and one line that says these; writes nothing."""
         before = sorted(self.folder.iterdir())
         program = net.start(*words, cwd=self.folder) if net else network.Program(words, cwd=self.folder)
-        ended, output, errors = program.end(30)
+        ended, output, errors = program.end()
         self.assertEqual(ended, status, errors)
         self.assertEqual(output, "")
         lines = errors.splitlines()
@@ -311,7 +332,7 @@ class BadInput(Case):
             with self.subTest(words=[str(word) for word in words[1:]]):
                 self.refuse(words, *says)
         for words in ([], [asked.table], [asked.table, "--robot", "-1"], [asked.table, "--robot", "x"]):
-            status, output, errors = network.Program([asked.programs / "quarter-robot", *words]).end(30)
+            status, output, errors = network.Program([asked.programs / "quarter-robot", *words]).end()
             self.assertEqual((status, output), (2, ""))
             self.assertIn("--robot N", errors)
         self.refuse(robot(len(asked.plan["starts"])), "--robot")
@@ -375,13 +396,13 @@ class BadInput(Case):
         net = self.network()
         first = net.start(*world("-o", "page.html"), cwd=self.folder)
         one = net.start(*robot(0))
-        net.listen().await_message(lambda _, channel, data: channel == "QUARTER_R0_COMMAND", 10, "no command")
+        net.listen().await_message(lambda _, channel, data: channel == "QUARTER_R0_COMMAND", "a command")
         self.refuse(world("-o", "page.html", "--log", "game.lcm"), "another world", net=net)
-        status, output, errors = first.end(30)
+        status, output, errors = first.end()
         self.assertEqual((status, output, len(errors.splitlines())), (2, "", 1), errors)
         self.assertIn("robot 1", errors)
         self.assertEqual(list(self.folder.iterdir()), [])
-        self.assertEqual(one.end(10)[0], 3)
+        self.assertEqual(one.end()[0], 0)
 
 
 # ---- strangers on the bus ----
@@ -417,9 +438,21 @@ class Strangers(Case):
         size = dice.choice([0, 8, kind.layout.size - 9, dice.randrange(kind.layout.size - 8)])
         return channel, mark + dice.randbytes(size)
 
-    def disturb(self, publisher, over):
+    def disturb(self, net, over):
+        """Many strange messages for each pose of the game's, until it is over."""
+        publisher, listener = net.publisher(), net.listen()
         dice = random.Random(7)
-        while not over.wait(0.002):
+        at = 0
+
+        def is_pose(source, channel, _):
+            return channel == "QUARTER_R0_POSE" and source != publisher.port or over.is_set()
+        while not over.is_set():
+            (_, _, _), at = listener.await_message(is_pose, "a pose", at)
+            at += 1
+            self.volley(publisher, dice)
+
+    def volley(self, publisher, dice):
+        for _ in range(8):
             noise = dice.randbytes(dice.choice([0, 1, 4, 7, 8, 9, 16, 28, 36, 44, 117, 300, dice.randrange(1400)]))
             publisher.send(dice.choice(self.channels()), noise)
             publisher.send(*self.unsound(dice))
@@ -434,32 +467,32 @@ class Strangers(Case):
     def test_malformed_messages_change_nothing(self):
         net = self.network()
         over = threading.Event()
-        thread = threading.Thread(target=self.disturb, args=(net.publisher(), over), daemon=True)
+        thread = threading.Thread(target=self.disturb, args=(net, over), daemon=True)
         thread.start()
         try:
             mine = asked.soon[0]
             game, _ = self.play(net, "--mine", mine)
         finally:
             over.set()
-            thread.join(5)
+            net.publisher().send("OTHER", b"it is over")  # for who waits for the next message
+            thread.join()
         self.assertIsNotNone(game["result"]["found_at"], game)
-        self.assertLess(game["result"]["found_at"], 2 * asked.plan["places"][mine]["planned"])
-        self.assertLessEqual(stopping_time(game), 3, game)
+        self.assertIsNotNone(game["result"]["all_stopped_at"], game)
         self.assertGreater(game["result"]["messages"]["ignored"], 1000)
         lcmlog.read(self.folder / "game.lcm")
         self.assertEqual(page_data(self.folder / "game.html")["result"], game["result"])
 
     def test_a_second_game_on_the_bus_is_refused_and_the_first_ends_as_it_should(self):
         net = self.network()
-        first = net.start(*demo("--processes", "--json", "--mine", asked.soon[0]), cwd=self.folder)
+        first = net.start(*demo("--processes", "--json", "--mine", asked.soon[-1]), cwd=self.folder)
         net.listen().await_message(
-            lambda _, channel, data: channel == "QUARTER_R0_POSE" and POSE.decode(data)["utime"] > 1e6, 20,
-            "the game does not begin")
+            lambda _, channel, data: channel == "QUARTER_R0_POSE" and POSE.decode(data)["utime"] > 1e6,
+            "the game's first second")
         status, _, errors = net.run(*demo("--processes", "-o", "page.html", "--log", "game.lcm"), cwd=self.folder)
         self.assertEqual(status, 2)
         self.assertIn("another world", errors)
         self.assertEqual(list(self.folder.iterdir()), [])
-        status, output, errors = first.end(60)
+        status, output, errors = first.end()
         self.assertEqual((status, errors), (0, ""))
         self.assertIsNotNone(json.loads(output)["result"]["all_stopped_at"])
         self.assertEqual(net.inhabitants(), [])
@@ -475,48 +508,38 @@ class LcmTools(Case):
     def test_lcm_logger_beside_a_game_hears_the_same_signals(self):
         net = self.network()
         path = self.folder / "beside.lcm"
+        listener = net.listen()
         logger = self.start_tool(net, "lcm-logger", "--quiet", "--flush-interval=1", "--lcm-url", network.URL, path)
-        until(lambda: net.joined() >= 1, 10, "lcm-logger does not join the group")
+        listener.await_members(1)
         log = self.folder / "game.lcm"
         status, _, errors = net.run(*demo("--processes", "--json", "--mine", asked.soon[0], "--log", log))
         self.assertEqual(status, 0, errors)
-        own = self.signals(log)
-        # It has all that the world heard. It writes when something comes, and what waits it would drop at the end.
+        said = self.signals(lcmlog.read(log))
+        # The logger writes when something comes, and what waits it would drop at the end.
         publisher = net.publisher()
-
-        def complete():
-            publisher.send("OTHER", b"more")
-            return not own - self.signals_so_far(path)
-        until(complete, 10, "lcm-logger lacks signals that the world heard")
+        await_file(path, lambda: said <= self.signals(lcmlog.read_so_far(path)),
+                   nudge=lambda: publisher.send("OTHER", b"more"))
         logger.send(signal.SIGINT)
-        logger.end(10)
-        beside = self.signals(path)
-        said = {(message["sender"], message["signal"], message["territory"]) for message in map(TERMINATE.decode, own)}
-        self.assertEqual({(message["sender"], message["signal"], message["territory"])
-                          for message in map(TERMINATE.decode, beside)}, said)
+        logger.end()
+        self.assertEqual(self.signals(lcmlog.read(path)), said)
         self.assertEqual({(sender, number) for sender, number, _ in said if number == FOUND},
                          {(sender, FOUND) for sender in range(asked.plan["robots"])})
 
-    def signals(self, path):
-        return collections.Counter(data for _, channel, data in lcmlog.read(path) if channel == "QUARTER_TERMINATE")
-
-    def signals_so_far(self, path):
-        """Of a log that is being written, and may end within an event."""
-        try:
-            return self.signals(path)
-        except (OSError, ValueError, AssertionError):
-            return collections.Counter()
+    def signals(self, events):
+        """Who said what: each says it again and again, so that no copy matters."""
+        said = [TERMINATE.decode(data) for _, channel, data in events if channel == "QUARTER_TERMINATE"]
+        return {(message["sender"], message["signal"], message["territory"]) for message in said}
 
     def test_lcm_logplayer_plays_a_log_into_the_bus(self):
         net = self.network()
         log = self.folder / "game.lcm"
-        self.assertEqual(network.Program([*demo("--mine", asked.soon[0], "--log", log, "--quiet")]).end(60)[0], 0)
+        self.assertEqual(network.Program([*demo("--mine", asked.soon[0], "--log", log, "--quiet")]).end()[0], 0)
         listener = net.listen()
         player = self.start_tool(net, "lcm-logplayer", "--speed=10", f"--lcm-url={network.URL}", log)
-        status, _, errors = player.end(30)
+        status, _, errors = player.end()
         self.assertEqual(status, 0, errors)
         played = collections.Counter((channel, data) for _, channel, data in lcmlog.read(log))
-        until(lambda: sum(played.values()) <= len(self.ours(listener)), 10, "not all that was played is heard")
+        listener.await_that(lambda: sum(played.values()) <= len(self.ours(listener)), "all that was played")
         self.assertEqual(collections.Counter(self.ours(listener)), played)
 
     def ours(self, listener):
@@ -535,7 +558,7 @@ class Ends(Case):
         for number in range(robots):
             def commands(_, channel, data, wanted=f"QUARTER_R{number}_COMMAND"):
                 return channel == wanted and COMMAND.decode(data)["utime"] > after * 1e6
-            listener.await_message(commands, 20, f"no command of robot {number}'s")
+            listener.await_message(commands, f"a command of robot {number}'s")
         children = launcher.children()
         self.assertEqual(len(children), robots + 1, children)
         return launcher, children, listener
@@ -555,50 +578,53 @@ class Ends(Case):
         page = page_data(self.folder / "game.html")
         self.assertEqual(page["result"], game["result"])
         self.assertEqual(page["duration"], game["duration"])
-        self.assertAlmostEqual(max(time for time, channel, _ in events if channel.endswith("POSE")) / 1e6 + TICK,
-                               game["duration"], delta=0.5)
+        self.assertLess(max(time for time, channel, _ in events if channel.endswith("POSE")) / 1e6, game["duration"])
 
     def test_interrupt_of_a_game_in_processes(self):
         for number, status in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
             with self.subTest(number=number), Network() as net:
-                launcher, children, _ = self.start_game(net)
+                launcher, children, _ = self.start_game(net, "--mine", "none")
                 launcher.send(number)
-                ended, output, errors = launcher.end(10)
+                ended, output, errors = launcher.end()
                 self.assertEqual((ended, errors), (status, ""))
                 self.check_gone(net, children)
                 self.check_records(json.loads(output))
 
     def test_interrupt_before_the_game_begins(self):
         net = self.network()
-        for _ in range(3):
+        robots = len(asked.plan["starts"])
+        for there in (1, robots, robots + 1):  # so many of its programs are on the bus
+            listener = net.listen()
             launcher = net.start(*demo("--processes", "--quiet", "-o", self.folder / "game.html"))
-            children = until(lambda: len(launcher.children()) == 5 and launcher.children(), 10, "no children")
+            listener.await_members(there)
+            children = launcher.children()
             launcher.send(signal.SIGINT)
-            status, _, errors = launcher.end(10)
+            status, _, errors = launcher.end()
             self.assertEqual((status, errors), (130, ""))
             self.check_gone(net, children)
         net.start(*robot(0))
         alone = net.start(*world("--quiet"))
-        net.listen().await_message(lambda source, channel, data: channel == "QUARTER_R0_COMMAND", 10, "no command")
+        net.listen().await_message(lambda _, channel, data: channel == "QUARTER_R0_COMMAND", "a command")
         alone.send(signal.SIGINT)
-        self.assertEqual(alone.end(10), (130, "", ""))
+        self.assertEqual(alone.end(), (130, "", ""))
 
     def test_interrupt_of_a_game_in_one_process(self):
         log = self.folder / "game.lcm"
-        program = network.Program(demo("--speed", 1, "--json", "--log", log, "-o", self.folder / "game.html"))
-        until(lambda: log.exists() and log.stat().st_size > 20000, 20, "the game does not begin")
+        program = network.Program(
+            demo("--speed", 1, "--mine", "none", "--json", "--log", log, "-o", self.folder / "game.html"))
+        await_file(log, lambda: log.exists() and log.stat().st_size > 20000)
         program.send(signal.SIGINT)
-        status, output, errors = program.end(10)
+        status, output, errors = program.end()
         self.assertEqual((status, errors), (130, ""))
         self.check_records(json.loads(output))
 
     def test_a_robot_killed_is_replaced_by_the_others(self):
         net = self.network()
-        mine = asked.soon[0]
+        mine = asked.soon[-1]  # long enough after the killing
         victim = asked.plan["places"][mine]["territory"]
-        launcher, children, listener = self.start_game(net, "--mine", mine, "--speed", 8)
+        launcher, children, listener = self.start_game(net, "--mine", mine, "--speed", 4)
         os.kill(self.robot_of(children, victim), signal.SIGKILL)
-        status, output, errors = launcher.end(80)
+        status, output, errors = launcher.end()
         self.assertEqual(status, 0, errors)
         self.assertEqual(errors, f"quarter-demo: robot {victim}'s process ended (signal 9)\n")
         self.check_gone(net, children)
@@ -618,10 +644,10 @@ class Ends(Case):
 
     def test_the_world_killed(self):
         net = self.network()
-        launcher, children, _ = self.start_game(net, after=0.5)
+        launcher, children, _ = self.start_game(net, "--mine", "none", after=0.5)
         os.kill(next(pid for pid, words in children.items() if words[0] == "quarter-world"), signal.SIGKILL)
-        status, output, errors = launcher.end(10)
-        self.assertEqual((status, output), (3, ""))
+        status, output, errors = launcher.end()
+        self.assertEqual((status, output), (2, ""))
         self.assertEqual(len(errors.splitlines()), 1, errors)
         self.check_gone(net, children)
         self.assertFalse((self.folder / "game.html").exists())
@@ -633,14 +659,10 @@ class Live(Case):
     def start_live(self, *words):
         net = self.network()
         program = net.start(*demo("--live", "--json", "-o", self.folder / "game.html", *words))
-        address = re.compile(r"http://127\.0\.0\.1:(\d+)/")
-        line = until(lambda: next(filter(None, map(address.search, list(program.lines))), None), 20,
-                     lambda: f"no address in {program.lines}")
-        return net, program, int(line[1])
+        return net, program, int(program.await_line(r"http://127\.0\.0\.1:(\d+)/")[1])
 
     def get(self, net, port, path):
         one = net.socket("tcp")
-        one.settimeout(20)
         one.connect(("127.0.0.1", port))
         connection = http.client.HTTPConnection("127.0.0.1", port)
         connection.sock = one
@@ -669,7 +691,7 @@ class Live(Case):
         return list(itertools.chain(*(frame["events"] for frame in frames)))
 
     def test_the_page_the_stream_and_nobody_from_elsewhere(self):
-        net, program, port = self.start_live("--speed", 5, "--mine", asked.soon[0])
+        net, program, port = self.start_live("--speed", 2, "--mine", asked.soon[-1])
         for host in (network.OTHER_ADDRESS, "127.0.0.2"):
             with self.assertRaises(ConnectionRefusedError):
                 net.socket("tcp").connect((host, port))
@@ -680,11 +702,11 @@ class Live(Case):
         response = self.get(net, port, "/events")
         self.assertEqual((response.status, response.headers.get_content_type()), (200, "text/event-stream"))
         stream = self.events(response)
-        seen = [next(stream) for _ in range(10)]
+        seen = [next(stream) for _ in range(10)]  # of some hundreds
         late = self.get(net, port, "/events")
         seen += list(stream)
         late_seen = list(self.events(late))
-        status, output, _ = program.end(20)
+        status, output, _ = program.end()
         self.assertEqual(status, 0)
         game = json.loads(output)
         replay = page_data(self.folder / "game.html")
@@ -697,12 +719,12 @@ class Live(Case):
                          {key: replay[key] for key in ("map", "places", "routes", "plan")})
 
     def test_interrupt_while_somebody_watches(self):
-        net, program, port = self.start_live()
+        net, program, port = self.start_live("--mine", "none")
         stream = self.events(self.get(net, port, "/events"))
         seen = [next(stream) for _ in range(5)]
         program.send(signal.SIGINT)
         seen += list(stream)
-        status, output, _ = program.end(10)
+        status, output, _ = program.end()
         self.assertEqual(status, 130)
         self.check_stream(seen)
         self.assertEqual(page_data(self.folder / "game.html")["result"], json.loads(output)["result"])
@@ -710,7 +732,7 @@ class Live(Case):
     def test_interrupt_while_nobody_watches_yet(self):
         net, program, port = self.start_live()
         program.send(signal.SIGINT)
-        self.assertEqual(program.end(10)[0], 130)
+        self.assertEqual(program.end()[0], 130)
         page_data(self.folder / "game.html")
 
 

@@ -71,7 +71,6 @@ class Browser:
             [driver, "--port=0"],
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            text=True,
             encoding="utf-8",
             env={**os.environ, **home},
         )

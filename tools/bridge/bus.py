@@ -12,7 +12,6 @@ from faults import Fault, missing
 
 DEFAULT_URL = "udpm://239.255.76.67:7667?ttl=0"
 QUEUE = 10000  # messages that may wait while the outputs are written
-PAUSE = 0.1  # seconds between looks at the clock
 
 
 @contextlib.contextmanager
@@ -46,6 +45,7 @@ class Bus:
         self.seconds = seconds
         self.notes = []
         self.heard = []
+        self.live = False  # something was heard
         self.stopped = False
         with caught_stderr() as said:
             try:
@@ -69,18 +69,45 @@ class Bus:
         except OSError as error:
             raise Fault(f"{self.path}: the bus broke ({error}); start the bridge again") from None
 
-    def __iter__(self):
+    @contextlib.contextmanager
+    def signals(self):
+        """While this is open signals stop the listening; gives a handle that a signal makes readable."""
+        awake, wake = os.pipe()
+        os.set_blocking(wake, False)
+        earlier = signal.set_wakeup_fd(wake)
         before = {number: signal.signal(number, self.stop) for number in (signal.SIGINT, signal.SIGTERM)}
-        end = None if self.seconds is None else time.monotonic() + self.seconds
-        print(f"listening to {self.path} {'until Ctrl-C' if end is None else f'for {self.seconds:g} s'}", flush=True)
         try:
-            while not self.stopped and (end is None or time.monotonic() < end):
-                left = PAUSE if end is None else min(PAUSE, max(0, end - time.monotonic()))
-                # Python's select outlives a signal, liblcm's own waiting does not.
-                if select.select([self.lcm.fileno()], [], [], left)[0]:
-                    self.handle()
-                yield from self.heard
-                self.heard.clear()
+            yield awake
         finally:
             for number, handler in before.items():
                 signal.signal(number, handler)
+            signal.set_wakeup_fd(earlier)
+            os.close(awake)
+            os.close(wake)
+
+    def wait(self, awake, end):
+        """Until a message is there (True), a signal came or the time is over."""
+        # Python's select outlives a signal, liblcm's own waiting does not.
+        left = None if end is None else max(0, end - time.monotonic())
+        return self.lcm.fileno() in select.select([self.lcm.fileno(), awake], [], [], left)[0]
+
+    def take(self):
+        self.handle()
+        if self.heard and not self.live:
+            self.live = True
+            print(f"hearing {self.heard[0][0]}", flush=True)
+        yield from self.heard
+        self.heard.clear()
+
+    def __iter__(self):
+        with self.signals() as awake:
+            end = None if self.seconds is None else time.monotonic() + self.seconds
+            print(f"listening to {self.path} {'until Ctrl-C' if end is None else f'for {self.seconds:g} s'}", flush=True)
+            while not self.stopped and (end is None or time.monotonic() < end):
+                if self.wait(awake, end):
+                    yield from self.take()
+            # What came in time counts, though nobody got to it.
+            for _ in range(QUEUE):
+                if not select.select([self.lcm.fileno()], [], [], 0)[0]:
+                    break
+                yield from self.take()
