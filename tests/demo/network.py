@@ -18,6 +18,7 @@ import struct
 import subprocess
 import sys
 import threading
+import time
 import unittest
 from pathlib import Path
 
@@ -93,6 +94,9 @@ class Program:
                 if self.silent or not self.news.wait(HANG):
                     raise AssertionError(f"{' '.join(self.words)}: no {pattern} in {self.lines}")
 
+    def runs(self):
+        return self.process.poll() is None
+
     def send(self, number):
         self.process.send_signal(number)
 
@@ -107,7 +111,7 @@ class Program:
             pass  # gone meanwhile
         return found
 
-    def end(self):
+    def end(self, _=None):
         """(status, standard output, standard error) once it has ended by itself."""
         watchdog = threading.Timer(HANG, self.process.kill)
         watchdog.start()
@@ -120,6 +124,16 @@ class Program:
     def kill(self):
         self.process.kill()  # nothing if it has ended
         self.process.wait()
+
+
+def until(holds, _, what):
+    """What holds() gives, once that is true: looked at again and again, for what nothing tells of."""
+    end = time.monotonic() + HANG
+    while not (value := holds()):
+        if time.monotonic() > end:
+            raise AssertionError(what() if callable(what) else what)
+        time.sleep(0.01)
+    return value
 
 
 def await_file(path, holds, nudge=None):
@@ -281,7 +295,7 @@ class Listener(Ear):
             raise AssertionError(f"never came on the bus: {what}")
         return value or None
 
-    def await_message(self, fits, what, begin=0, seconds=HANG):
+    def await_message(self, fits, *what, begin=0, seconds=HANG):
         """The first message, from number `begin` on, that fits(source, channel, data), and its number."""
         at = begin
 

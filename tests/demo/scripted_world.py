@@ -59,7 +59,7 @@ class ScriptedWorld:
         def answers(source, channel, data):
             return channel == self.channel("COMMAND") and COMMAND.decode(data)["utime"] == self.utime
 
-        (_, _, data), number = self.listener.await_message(answers, "the robot's command", self.at)
+        (_, _, data), number = self.listener.await_message(answers, "the robot's command", begin=self.at)
         for source, channel, said in self.listener.heard[self.at:number]:
             if channel == "QUARTER_TERMINATE" and source != self.publisher.port:
                 message = TERMINATE.decode(said)

@@ -447,7 +447,7 @@ class Strangers(Case):
         def is_pose(source, channel, _):
             return channel == "QUARTER_R0_POSE" and source != publisher.port or over.is_set()
         while not over.is_set():
-            (_, _, _), at = listener.await_message(is_pose, "a pose", at)
+            (_, _, _), at = listener.await_message(is_pose, "a pose", begin=at)
             at += 1
             self.volley(publisher, dice)
 
