@@ -402,7 +402,7 @@ class BadInput(Case):
         self.assertEqual((status, output, len(errors.splitlines())), (2, "", 1), errors)
         self.assertIn("robot 1", errors)
         self.assertEqual(list(self.folder.iterdir()), [])
-        self.assertEqual(one.end()[0], 0)
+        self.assertEqual(one.end()[0], 3)
 
 
 # ---- strangers on the bus ----
@@ -647,7 +647,7 @@ class Ends(Case):
         launcher, children, _ = self.start_game(net, "--mine", "none", after=0.5)
         os.kill(next(pid for pid, words in children.items() if words[0] == "quarter-world"), signal.SIGKILL)
         status, output, errors = launcher.end()
-        self.assertEqual((status, output), (2, ""))
+        self.assertEqual((status, output), (3, ""))
         self.assertEqual(len(errors.splitlines()), 1, errors)
         self.check_gone(net, children)
         self.assertFalse((self.folder / "game.html").exists())
