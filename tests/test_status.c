@@ -11,7 +11,7 @@ static const int codes[] = {
     QTR_OK,           QTR_ERR_CONFIG,     QTR_ERR_ARGUMENT, QTR_ERR_LIMIT,   QTR_ERR_SPACE,       QTR_ERR_TRUNCATED,
     QTR_ERR_MAGIC,    QTR_ERR_FORMAT,     QTR_ERR_CHECKSUM, QTR_ERR_CORRUPT, QTR_ERR_SELFTEST,    QTR_ERR_NO_START,
     QTR_ERR_NO_PLACE, QTR_ERR_START,      QTR_ERR_PLACE,    QTR_ERR_WEIGHT,  QTR_ERR_UNREACHABLE, QTR_ERR_DISCOUNT,
-    QTR_ERR_TRAVEL,   QTR_ERR_CERTIFICATE};
+    QTR_ERR_TRAVEL,   QTR_ERR_CERTIFICATE, QTR_ERR_STOPPED};
 enum { CODES = sizeof codes / sizeof codes[0] };
 
 void setUp(void) {
@@ -46,7 +46,7 @@ static void test_texts_say_what_their_codes_mean(void) {
 }
 
 static void test_numbers_that_are_no_codes_are_unknown(void) {
-  static const int strangers[] = {1, 2, INT_MAX, INT_MIN, INT_MIN + 1, QTR_ERR_CERTIFICATE - 1, -1000};
+  static const int strangers[] = {1, 2, INT_MAX, INT_MIN, INT_MIN + 1, QTR_ERR_STOPPED - 1, -1000};
   for (unsigned i = 0; i < sizeof strangers / sizeof strangers[0]; i++)
     TEST_ASSERT_EQUAL_STRING("unknown status", qtr_strerror(strangers[i]));
 }

@@ -1,5 +1,4 @@
 /* The host tool from outside: exit statuses, files whole or absent, JSON, and every bad input told in one clear line. */
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -173,31 +172,6 @@ static void test_pictures_of_missions_and_tables(void) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
   run_tool(&result, "draw small.txt -o s.svg");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
-}
-
-/* Ctrl-C before the search has begun: the signal is pending, and is taken as soon as the tool is ready for it. */
-static int run_interrupted(const char *mission) {
-  sigset_t interrupt;
-  int status = 0;
-  const pid_t child = fork();
-  if (child == 0) {
-    sigemptyset(&interrupt);
-    sigaddset(&interrupt, SIGINT);
-    sigprocmask(SIG_BLOCK, &interrupt, NULL);
-    raise(SIGINT);
-    execl(QUARTER_TOOL, "quarter", "learn", mission, "--robots", "8", "--gap", "0", "--quiet", "-o", "t.qtr",
-          (char *)NULL);
-    _exit(127);
-  }
-  TEST_ASSERT_TRUE(child > 0 && waitpid(child, &status, 0) == child);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-static void test_interrupting_still_writes_the_best_policy(void) {
-  TEST_ASSERT_EQUAL_INT(130, run_interrupted(QUARTER_SOURCE_DIR "/tests/data/long.txt"));
-  run_tool(&result, "inspect t.qtr --json");
-  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
-  TEST_ASSERT_TRUE(json_is(result.out, "certified", "false"));
 }
 
 static void test_unreachable_places_are_named_or_left_out(void) {
@@ -416,7 +390,6 @@ int main(void) {
   RUN_TEST(test_times_from_the_representative_end_the_oscillation);
   RUN_TEST(test_drawing_regions_tells_how_many_and_how_far);
   RUN_TEST(test_pictures_of_missions_and_tables);
-  RUN_TEST(test_interrupting_still_writes_the_best_policy);
   RUN_TEST(test_unreachable_places_are_named_or_left_out);
   RUN_TEST(test_value_is_the_grounds_under_every_aggregation);
   RUN_TEST(test_tuning_finds_what_loses_nothing_and_keeps_to_a_budget);

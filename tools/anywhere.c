@@ -9,6 +9,7 @@
 #include "progress.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
+#include "stop.h"
 #include "table.h"
 
 /* The whole table under work. */
@@ -22,7 +23,8 @@ typedef struct {
   uint16_t *region; /* of each cell; NULL: none */
   uint8_t *records;
   uint64_t count, room;
-  uint8_t rank; /* of the records being added: among records of one state the lowest stays */
+  uint64_t games; /* learnt */
+  uint8_t rank;   /* of the records being added: among records of one state the lowest stays */
 } builder;
 
 static study alone; /* learns one start and one set of places left at a time */
@@ -59,20 +61,31 @@ static void store_steps(builder *b, unsigned node, unsigned place, qtr_steps ste
   for (int i = 0; i < 4; i++) at[i] = (uint8_t)(steps >> 8 * i & 0xFFu);
 }
 
-static void measure(builder *b) {
+/* False: stopped. */
+static bool measure(builder *b) {
   const qtr_mission *mission = &b->s->p.in.mission;
   const qtr_grid grid = qtr_mission_grid(mission);
   for (unsigned to = 0; to < mission->places; to++) {
+    if (stop_asked()) return false;
     qtr_field_fill(&b->s->p.field, &grid, mission->place[to]);
     for (unsigned from = 0; from < mission->places; from++)
       store_steps(b, from, to, b->s->p.field.to_go[mission->place[from]]);
     for (unsigned start = 0; start < b->board.starts; start++)
       store_steps(b, mission->places + start, to, b->s->p.field.to_go[b->start[start]]);
   }
+  return true;
+}
+
+static int stopped(const builder *b, fault *why) {
+  fault_set(why, "%s: ended (%s) after %.3g s, before the table for all starts was begun; nothing was written",
+            b->o->input, stop_reason(), stop_seconds());
+  why->status = EXIT_STOPPED;
+  return -1;
 }
 
 static int divide(builder *b, fault *why) {
-  if (study_divide(b->s, b->o, why) != 0) return -1;
+  const int status = study_divide(b->s, b->o, why);
+  if (status != QTR_OK) return status == QTR_ERR_STOPPED ? stopped(b, why) : -1;
   if (b->s->regions.count + b->s->p.game.board.starts > QTR_MAX_STARTS)
     return fault_set(why,
                      "%s: %" PRIu32 " regions are too many for a table; make them larger with --region-size and "
@@ -111,7 +124,7 @@ static int make_board(builder *b, fault *why) {
   if ((b->o->any_starts && divide(b, why) != 0) || allocate(b, why) != 0) return -1;
   set_starts(b);
   b->board.steps = b->steps;
-  measure(b);
+  if (!measure(b)) return stopped(b, why);
   const int status = qtr_board_init(&b->board);
   return status == QTR_OK ? 0 : fault_set(why, "%s: %s", b->o->input, qtr_strerror(status));
 }
@@ -142,7 +155,7 @@ static int set_up_rest(void) {
   return qtr_game_init(&p->game, &p->in.mission, &p->field, NULL);
 }
 
-/* Learn it. False: some place is out of everybody's reach. */
+/* Learn it. False: some place is out of everybody's reach, or there was no time. */
 static bool learn_rest(const builder *b, fault *why) {
   options o = *b->o;
   o.by_regions = o.by_spots = false;
@@ -150,7 +163,7 @@ static bool learn_rest(const builder *b, fault *why) {
   if (set_up_rest() != QTR_OK) return false;
   if (study_begin(&alone, &o, why) != 0) return false;
   for (int steps = 0; steps < 2000 && qtr_learner_step(&alone.learner) == QTR_LEARNING; steps++) {}
-  return true;
+  return !stop_asked();
 }
 
 static int add_record(builder *b, const qtr_joint *joint, uint16_t choice, fault *why) {
@@ -168,15 +181,14 @@ static int add_record(builder *b, const qtr_joint *joint, uint16_t choice, fault
   return 0;
 }
 
-/* Play the routes that were learnt on the board of all starts, and record what is met. */
-static int record_game(builder *b, const uint16_t *start_of, uint64_t cleared, const uint16_t *number, fault *why) {
-  qtr_routes *routes = &alone.learner.routes;
+/* Play routes on the board of all starts, and record what is met. `number` tells their places' numbers. */
+static int record_game(builder *b, const qtr_routes *routes, const uint16_t *start_of, uint64_t cleared,
+                       const uint16_t *number, fault *why) {
   qtr_joint joint;
   qtr_places done;
   uint16_t next[QTR_MAX_SEEKERS] = {0};
   uint16_t own[QTR_MAX_SEEKERS];
   int status = 0;
-  qtr_play_to_routes(&alone.learner.best, &alone.p.game, routes);
   qtr_places_clear(&done);
   for (unsigned place = 0; place < b->board.places; place++)
     if ((cleared >> place & 1u) != 0) qtr_places_add(&done, place);
@@ -203,14 +215,25 @@ static int add_game(builder *b, const uint16_t *start_of, uint64_t cleared, faul
   why->text[0] = '\0';
   make_rest(b, starts, cleared, number);
   if (!learn_rest(b, why)) return why->text[0] != '\0' ? -1 : 0;
-  return record_game(b, start_of, cleared, number, why);
+  b->games++;
+  qtr_play_to_routes(&alone.learner.best, &alone.p.game, &alone.learner.routes);
+  return record_game(b, &alone.learner.routes, start_of, cleared, number, why);
+}
+
+/* The mission's own game is learnt already, and the certificate is that of its routes. */
+static int add_own_game(builder *b, fault *why) {
+  uint16_t number[QTR_MAX_PLACES];
+  for (uint16_t place = 0; place < b->board.places; place++) number[place] = place;
+  b->games++;
+  qtr_play_to_routes(&b->s->learner.best, &b->s->p.game, &b->s->learner.routes);
+  return record_game(b, &b->s->learner.routes, b->board.start_of, 0, number, why);
 }
 
 /* ---- all games ---- */
 
-static int add_cleared(builder *b, const uint16_t *start_of, fault *why) {
+static int add_cleared(builder *b, const uint16_t *start_of, uint64_t first, fault *why) {
   const uint64_t sets = b->o->any_cleared ? ((uint64_t)1 << b->board.places) - 1 : 1;
-  for (uint64_t cleared = 0; cleared < sets; cleared++)
+  for (uint64_t cleared = first; cleared < sets && !stop_asked(); cleared++)
     if (add_game(b, start_of, cleared, why) != 0) return -1;
   return 0;
 }
@@ -225,19 +248,18 @@ static bool next_crew(const builder *b, uint16_t *start_of) {
   return true;
 }
 
-static int add_all(builder *b, anywhere_report *report, fault *why) {
+static int add_all(builder *b, fault *why) {
   uint16_t start_of[QTR_MAX_SEEKERS] = {0};
   const double games = count_crews(b);
   double done = 0.0;
   /* The mission's own starts keep their records, so that the certificate is theirs. */
-  if (add_cleared(b, b->board.start_of, why) != 0) return -1;
+  if (add_own_game(b, why) != 0 || add_cleared(b, b->board.start_of, 1, why) != 0) return -1;
   b->rank = 1;
-  report->games = (uint64_t)count_games(b);
   if (b->region == NULL) return 0;
   do {
-    if (add_cleared(b, start_of, why) != 0) return -1;
+    if (add_cleared(b, start_of, 0, why) != 0) return -1;
     if (progress_wanted(b->o->quiet)) fprintf(stderr, "\r\033[Kstarts: %.0f of %.0f", ++done, games);
-  } while (next_crew(b, start_of));
+  } while (!stop_asked() && next_crew(b, start_of));
   if (progress_wanted(b->o->quiet)) fprintf(stderr, "\r\033[K");
   return 0;
 }
@@ -330,7 +352,7 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
   table t;
   if (qtr_policy_open(&t.policy, bytes, size) != QTR_OK) return;
   draws = b->o->seed;
-  for (int tries = 0; report->trials < ANYWHERE_TRIALS && tries < 100 * ANYWHERE_TRIALS; tries++) {
+  for (int tries = 0; !stop_asked() && report->trials < ANYWHERE_TRIALS && tries < 100 * ANYWHERE_TRIALS; tries++) {
     qtr_cell starts[QTR_MAX_SEEKERS];
     for (unsigned i = 0; i < mission->seekers; i++) do
         starts[i] = (qtr_cell)draw(cells);
@@ -350,12 +372,16 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
 uint32_t anywhere_learn(study *s, const options *o, uint8_t **bytes, anywhere_report *report, fault *why) {
   builder b = {.s = s, .o = o};
   uint32_t size = 0;
+  bool complete = false;
   *report = (anywhere_report){0};
   memcpy(&alone.p.in.mission, &s->p.in.mission, sizeof alone.p.in.mission);
-  if (make_board(&b, why) == 0 && check_size(&b, why) == 0 && add_all(&b, report, why) == 0) {
+  if (make_board(&b, why) == 0 && check_size(&b, why) == 0 && add_all(&b, why) == 0) {
+    complete = !stop_asked();
     sort_records(&b);
     size = write_table(&b, bytes, why);
   }
+  report->games = b.games;
+  report->complete = complete;
   report->regions = b.regions;
   if (size > 0 && b.region != NULL) try_starts(&b, *bytes, size, report, why);
   free(b.records);

@@ -181,12 +181,12 @@ static int from_table(sheet *s, const table *t, fault *why) {
 /* ---- regions and spots ---- */
 
 static int add_regions(sheet *s, const options *o, fault *why) {
-  const qtr_regions_config config = {(uint32_t)o->region_size,
-                                     (uint32_t)o->region_diameter,
-                                     o->region_likelihood,
-                                     (uint16_t)s->d.places,
-                                     s->place,
-                                     s->likelihood};
+  const qtr_regions_config config = {.max_size = (uint32_t)o->region_size,
+                                     .diameter = (uint32_t)o->region_diameter,
+                                     .likelihood = o->region_likelihood,
+                                     .places = (uint16_t)s->d.places,
+                                     .place = s->place,
+                                     .weight = s->likelihood};
   const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->cost};
   const size_t cells = (size_t)s->d.columns * s->d.rows;
   const int status = qtr_regions_build(&divided, &grid, &config, &dividing);

@@ -1,7 +1,4 @@
-#include <signal.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 #include "carray.h"
 #include "commands.h"
@@ -11,6 +8,7 @@
 #include "quarter/export.h"
 #include "quarter/status.h"
 #include "report.h"
+#include "stop.h"
 #include "study.h"
 
 static const char help[] =
@@ -34,7 +32,9 @@ static const char help[] =
     "      --gap X              stop within this relative gap of the optimum (default 1e-5; the paper setting, with "
     "0,\n"
     "                           learns on until something else ends it)\n"
-    "      --time-limit S       stop after this many seconds\n"
+    "      --time-limit S       stop after this many seconds, reading and travel times included (with --starts or "
+    "--cleared\n"
+    "                           any the mission's own plan gets half of them)\n"
     "      --episodes N         stop after this many games\n"
     "      --seed N             of random choices (default 1): how the paper setting explores, how local search on "
     "the\n"
@@ -60,7 +60,12 @@ static const char help[] =
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no progress, no report but JSON\n"
     "\n"
-    "Exit status: 0 done, certified or not; 2 bad input, nothing written; 130 ended by Ctrl-C, best policy written.\n";
+    "Exit status: 0 done, certified or not; 2 bad input, nothing written; 3 ended by the limit or a signal before "
+    "there\n"
+    "was a first plan, nothing written; 130 (143) ended by Ctrl-C (SIGTERM), best policy written.\n";
+
+/* Of the time limit, where other starts than the mission's take the rest of it. */
+#define SEARCH_SHARE 0.5
 
 static const option_set set = {"learn",
                                " output c curve json quiet robots objective rule gamma cell-size skip-unreachable gap"
@@ -69,29 +74,6 @@ static const option_set set = {"learn",
                                " spot-size spot-diameter spot-order spot-likelihood starts cleared table-limit "};
 
 static study learnt;
-static volatile sig_atomic_t interrupted;
-
-/* The search ends after its step. A third signal ends the program at once; not the second, for some senders, timeout(1)
- * among them, send everything twice. */
-static void on_interrupt(int number) {
-  static volatile sig_atomic_t count;
-  interrupted = number;
-  if (++count >= 3) _exit(128 + number);
-}
-
-static void catch_interrupts(void) {
-  struct sigaction action;
-  sigset_t both;
-  memset(&action, 0, sizeof action);
-  action.sa_handler = on_interrupt;
-  sigaction(SIGINT, &action, NULL);
-  sigaction(SIGTERM, &action, NULL);
-  /* Whoever started this may have held them back until now. */
-  sigemptyset(&both);
-  sigaddset(&both, SIGINT);
-  sigaddset(&both, SIGTERM);
-  sigprocmask(SIG_UNBLOCK, &both, NULL);
-}
 
 /* Whether a file can be written there, found out before the search and not after it. */
 static int check_outputs(const options *o, fault *why) {
@@ -106,27 +88,24 @@ static int check_outputs(const options *o, fault *why) {
 }
 
 /* What ends the search after a step, or NULL if it goes on. */
-static const char *find_end(enum qtr_learning learning, const options *o, uint64_t episodes, double seconds) {
+static const char *find_end(enum qtr_learning learning, const options *o, uint64_t episodes) {
   if (learning == QTR_CERTIFIED) return "certified";
   if (learning == QTR_CONVERGED) return "converged";
-  if (interrupted != 0) return "interrupted";
-  if (o->time_limit > 0.0 && seconds >= o->time_limit) return "time limit";
+  if (stop_asked()) return stop_reason();
   return o->episodes > 0 && episodes >= o->episodes ? "episodes" : NULL;
 }
 
 static int search(report *r, const options *o, fault *why) {
   progress shown;
   curve course;
-  const double begin = clock_seconds();
   if (curve_begin(&course, o->curve, why) != 0) return -1;
   progress_begin(&shown, o->quiet, o->time_limit, o->gap);
   while (r->ended == NULL) {
     const enum qtr_learning learning = qtr_learner_step(&learnt.learner);
-    const double seconds = clock_seconds() - begin;
     qtr_learner_certificate(&learnt.learner, &r->certificate);
-    progress_show(&shown, &r->certificate, seconds);
+    progress_show(&shown, &r->certificate, stop_seconds());
     curve_note(&course, &learnt.learner, &r->certificate);
-    r->ended = find_end(learning, o, r->certificate.episodes, seconds);
+    r->ended = find_end(learning, o, r->certificate.episodes);
   }
   progress_end(&shown);
   return curve_end(&course, &learnt.learner, &r->certificate, why);
@@ -145,6 +124,7 @@ static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bo
 /* The bytes of the table that the options ask for, newly allocated. Their number, or 0 with *why set. */
 static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *why) {
   r->anywhere = o->any_starts || o->any_cleared;
+  stop_after(o->time_limit);
   if (r->anywhere) return anywhere_learn(&learnt, o, bytes, &r->any, why);
   const uint32_t size = qtr_export_size(&learnt.learner);
   *bytes = malloc(size);
@@ -175,18 +155,23 @@ static int write_table(report *r, const options *o, fault *why) {
   return status;
 }
 
-static int learn(const options *o, report *r, fault *why) {
-  if (check_outputs(o, why) != 0 || study_read(&learnt, o, why) != 0) return -1;
-  const double begin = clock_seconds();
-  if (study_begin(&learnt, o, why) != 0) return -1;
-  catch_interrupts();
-  *r = (report){.command = "learn", .o = o, .p = &learnt.p};
-  if (search(r, o, why) != 0) return -1;
-  r->seconds = clock_seconds() - begin + learnt.p.travel_seconds;
-  r->regions = o->by_regions ? learnt.regions.count : 0;
-  r->spots = o->by_spots ? learnt.aggregate.targets : 0;
+/* Of what was learnt on, and how large it became. */
+static void count(report *r, const options *o) {
+  r->regions = o->by_regions && learnt.aggregated ? learnt.regions.count : 0;
+  r->spots = o->by_spots && learnt.aggregated ? learnt.aggregate.targets : 0;
   r->q_entries = learnt.learner.table.entries;
   r->q_bytes = (uint64_t)learnt.learner.table.entries * qtr_qtable_entry_bytes(&learnt.learner.table);
+}
+
+static int learn(const options *o, report *r, fault *why) {
+  stop_after(o->time_limit * (o->any_starts || o->any_cleared ? SEARCH_SHARE : 1.0));
+  if (check_outputs(o, why) != 0 || study_read(&learnt, o, why) != 0) return -1;
+  const double begin = stop_seconds();
+  if (study_begin(&learnt, o, why) != 0) return -1;
+  *r = (report){.command = "learn", .o = o, .p = &learnt.p};
+  if (search(r, o, why) != 0) return -1;
+  r->seconds = stop_seconds() - begin + learnt.p.travel_seconds;
+  count(r, o);
   if (write_table(r, o, why) != 0) return -1;
   return report_write(r, why);
 }
@@ -197,6 +182,7 @@ int command_learn(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  stop_begin();
   if (learn(&o, &r, &why) != 0) return fault_exit(&why);
-  return interrupted != 0 ? 128 + (int)interrupted : EXIT_SUCCESS;
+  return stop_signal() != 0 ? 128 + stop_signal() : EXIT_SUCCESS;
 }

@@ -6,6 +6,7 @@
 #include "json.h"
 #include "print.h"
 #include "progress.h"
+#include "stop.h"
 #include "study.h"
 
 static const char help[] =
@@ -21,16 +22,19 @@ static const char help[] =
     "\n"
     "      --budget-entries N   leave out what needs more Q entries\n"
     "      --episodes N         games for each try (default 2000)\n"
+    "      --time-limit S       end with what has been tried after this many seconds\n"
     "      --learner SETTING, --explore PLAN, --alpha A, --seed N, --robots K, --objective WHAT, --gamma G, --rule "
     "RULE,\n"
     "      --cell-size M, --skip-unreachable     as in 'quarter learn'\n"
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no progress, no report but JSON\n"
     "\n"
-    "Exit status: 0 done; 2 bad input, or nothing that fits the budget.\n";
+    "Exit status: 0 done; 2 bad input, or nothing that fits the budget; 3 ended by the limit or a signal before the "
+    "first\n"
+    "plan, nothing written; 130 (143) ended by Ctrl-C (SIGTERM), what was tried until then is reported.\n";
 
 static const option_set set = {
-    "tune", " json quiet robots objective rule gamma cell-size skip-unreachable episodes seed learner"
+    "tune", " json quiet robots objective rule gamma cell-size skip-unreachable time-limit episodes seed learner"
             " explore alpha budget-entries "};
 
 #define TRIES_MOST 512
@@ -51,7 +55,8 @@ typedef struct {
 static study tuned;
 static try tries[TRIES_MOST];
 static int count;
-static try proven; /* the certified setting on the true map */
+static int planned, tried; /* a stop leaves the rest out */
+static try proven;         /* the certified setting on the true map */
 
 /* ---- what is tried ---- */
 
@@ -135,11 +140,11 @@ static int learn_try(try *t, const options *asked, uint64_t episodes, fault *why
   apply(t, &o);
   if (study_begin(&tuned, &o, why) != 0) return -1;
   do qtr_learner_certificate(&tuned.learner, &t->certificate);
-  while (t->certificate.episodes < episodes && qtr_learner_step(&tuned.learner) == QTR_LEARNING);
+  while (!stop_asked() && t->certificate.episodes < episodes && qtr_learner_step(&tuned.learner) == QTR_LEARNING);
   qtr_learner_certificate(&tuned.learner, &t->certificate);
   t->entries = tuned.learner.table.entries;
-  t->regions = t->by_regions ? tuned.regions.count : 0;
-  t->spots = t->by_spots ? tuned.aggregate.targets : 0;
+  t->regions = t->by_regions && tuned.aggregated ? tuned.regions.count : 0;
+  t->spots = t->by_spots && tuned.aggregated ? tuned.aggregate.targets : 0;
   return 0;
 }
 
@@ -176,8 +181,11 @@ static void share_bound(void) {
 static int learn_all(const options *o, fault *why) {
   const uint64_t episodes = o->episodes > 0 ? o->episodes : EPISODES_DEFAULT;
   const double begin = clock_seconds();
+  planned = count;
   for (int i = 0; i < count; i++) {
     if (learn_try(&tries[i], o, episodes, why) != 0) return -1;
+    /* What a stop came into is no fair try, but the first one, the true map, is. */
+    if (stop_asked()) count = i > 0 ? i : 1;
     if (progress_wanted(o->quiet))
       fprintf(stderr, "\r\033[Ktry %d of %d  left %.0f s", i + 1, count,
               (clock_seconds() - begin) / (i + 1) * (count - i - 1));
@@ -187,11 +195,13 @@ static int learn_all(const options *o, fault *why) {
 }
 
 static int tune(const options *o, fault *why) {
+  stop_after(o->time_limit);
   if (study_read(&tuned, o, why) != 0) return -1;
   add_tries(o);
   if (prove(o, why) != 0 || learn_all(o, why) != 0) return -1;
   share_bound();
   int kept = 0;
+  tried = count;
   for (int i = 0; i < count; i++)
     if (o->budget_entries == 0 || tries[i].entries <= o->budget_entries) tries[kept++] = tries[i];
   count = kept;
@@ -276,6 +286,7 @@ static void write_text(FILE *out, const void *what) {
     fputc('\n', out);
   }
   write_worth_of_options(out);
+  if (stop_asked()) fprintf(out, "ended (%s) before %d more were tried\n", stop_reason(), planned - tried);
 }
 
 static void write_json(FILE *out, const void *what) {
@@ -292,6 +303,8 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "episodes", proven.certificate.episodes);
   json_natural(&j, "q_entries", proven.entries);
   json_end_object(&j);
+  json_integer(&j, "planned", planned);
+  json_integer(&j, "tried", tried);
   json_array(&j, "tries");
   for (int i = 0; i < count; i++) {
     const try *t = &tries[i];
@@ -318,6 +331,7 @@ int command_tune(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  stop_begin();
   if (tune(&o, &why) != 0 || print_report(&o, write_json, write_text, &o, &why) != 0) return fault_exit(&why);
-  return EXIT_SUCCESS;
+  return stop_signal() != 0 ? 128 + stop_signal() : EXIT_SUCCESS;
 }

@@ -6,6 +6,7 @@
 
 int fault_set(fault *why, const char *format, ...) {
   va_list arguments;
+  why->status = EXIT_BAD_INPUT;
   va_start(arguments, format);
   int length = vsnprintf(why->text, sizeof why->text, format, arguments);
   va_end(arguments);
@@ -20,5 +21,5 @@ int fault_set(fault *why, const char *format, ...) {
 
 int fault_exit(const fault *why) {
   fprintf(stderr, "quarter: %s\n", why->text);
-  return EXIT_BAD_INPUT;
+  return why->status;
 }

@@ -3,16 +3,21 @@
 #define QUARTER_TOOLS_FAULT_H
 
 /* Exit statuses of `quarter`. */
-enum { EXIT_BAD_INPUT = 2 };
+enum {
+  EXIT_BAD_INPUT = 2,
+  EXIT_STOPPED = 3 /* by a time limit or a signal, before there was anything to write */
+};
 
 typedef struct {
+  int status; /* exit status that it means */
   char text[1024];
 } fault;
 
-/* Write the line (printf style, no newline at the end). Always returns -1, so that a reader can `return fault_set(...)`. */
+/* Write the line (printf style, no newline at the end). Always returns -1, so that a reader can `return fault_set(...)`.
+ * The exit status is EXIT_BAD_INPUT. */
 int fault_set(fault *why, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Print the line to standard error. Returns EXIT_BAD_INPUT, for a command to return. */
+/* Print the line to standard error. Returns the fault's exit status, for a command to return. */
 int fault_exit(const fault *why);
 
 #endif

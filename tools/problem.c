@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "progress.h"
 #include "quarter/status.h"
+#include "stop.h"
 
 #define NAMES_SIZE 700
 
@@ -95,7 +95,8 @@ int problem_read(problem *p, const options *o, fault *why) {
   if (input_read(&p->in, o->input, &reading, why) != 0) return -1;
   override(&p->in.mission, o);
   set_frame(&p->in.mission, &p->in.frame);
-  const double begin = clock_seconds();
+  p->in.mission.watch = stop_watch();
+  const double begin = stop_seconds();
   int culprit;
   int status = qtr_mission_check(&p->in.mission, &culprit);
   if (status == QTR_OK) status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
@@ -103,8 +104,12 @@ int problem_read(problem *p, const options *o, fault *why) {
     if (handle_unreachable(p, o, why) != 0) return -1;
     status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
   }
-  p->travel_seconds = clock_seconds() - begin;
+  p->travel_seconds = stop_seconds() - begin;
   if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, o, why);
+  /* All places take as long as those that were measured; what comes after them until the first plan takes no time. */
+  if (status == QTR_ERR_STOPPED)
+    return stop_fault(why, o->input, "a first plan",
+                      begin + p->travel_seconds * p->in.mission.places / p->game.measured);
   return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));
 }
 

@@ -6,6 +6,7 @@
 #include "count.h"
 #include "json.h"
 #include "print.h"
+#include "stop.h"
 
 void report_json_routes(json *j, const table_route *routes, int seekers) {
   json_array(j, "routes");
@@ -69,6 +70,7 @@ static void write_json(FILE *out, const void *what) {
   if (r->anywhere) {
     json_flat_object(&j, "anywhere");
     json_natural(&j, "games", r->any.games);
+    json_bool(&j, "complete", r->any.complete);
     json_natural(&j, "regions", r->any.regions);
     json_integer(&j, "trials", r->any.trials);
     json_number(&j, "median_loss", r->any.median_loss);
@@ -138,6 +140,9 @@ static void write_text(FILE *out, const void *what) {
             "against policies learnt for them alone\n",
             counted(r->any.regions, "region").text, counted((uint64_t)r->any.trials, "random start").text,
             100.0 * r->any.median_loss, 100.0 * r->any.worst_loss);
+  if (r->anywhere && !r->any.complete)
+    fprintf(out, "ended (%s) with %s learnt for the table; in all others robots go by their rule\n", stop_reason(),
+            counted(r->any.games, "game").text);
   if (r->o->c_output != NULL) fprintf(out, "wrote %s\n", r->o->c_output);
 }
 

@@ -15,16 +15,18 @@ typedef struct {
   qtr_environment ground, aggregate;
   qtr_regions regions;
   qtr_regions_scratch regions_scratch;
+  bool aggregated; /* it is learnt on the aggregate: one was asked for, and made before a stop */
   qtr_learner learner;
 } study;
 
 /* Read the input and set its ground up. 0, or -1 with *why set. */
 int study_read(study *s, const options *o, fault *why);
 
-/* Divide the map into regions as the options say. 0, or -1 with *why set. */
+/* Divide the map into regions as the options say. 0, or -1 with *why set, or QTR_ERR_STOPPED. */
 int study_divide(study *s, const options *o, fault *why);
 
-/* Begin to learn it anew; may be called again with other aggregation options. 0, or -1 with *why set. */
+/* Begin to learn it anew; may be called again with other aggregation options. There is a first plan then, also after a
+ * stop: one on the true map, if the aggregate was not ready. 0, or -1 with *why set. */
 int study_begin(study *s, const options *o, fault *why);
 
 #endif

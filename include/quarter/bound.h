@@ -53,18 +53,20 @@ typedef struct {
 } qtr_bound;
 
 /* Start from a known play: the visits of each target's places set its price, the last visit sets the horizon. The
- * environment must be without regions and outlive the bound. QTR_OK, or QTR_ERR_CONFIG if the caller was built under other
+ * environment must be without regions and outlive the bound. Stopped by the mission's watch, `upper` is what the nearest
+ * seekers could collect all at once: valid, and not tight. QTR_OK, or QTR_ERR_CONFIG if the caller was built under other
  * sizes. */
 #define qtr_bound_init(bound, environment, visit) qtr_bound_init_built(bound, environment, visit, QTR_CONFIG_ID)
 int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit,
                          uint32_t config_id);
 
 /* One subgradient step towards `goal`, the worth of the best play known. False when more steps are of no use; the best
- * prices are then in force. */
+ * prices are then in force. A stop changes nothing, and the step can be taken again. */
 bool qtr_bound_improve(qtr_bound *bound, double goal);
 
-/* Put the best prices in force, whatever was being tried. */
-void qtr_bound_settle(qtr_bound *bound);
+/* Put the best prices in force, whatever was being tried. False: stopped, and no states can be bounded before it is called
+ * again. */
+bool qtr_bound_settle(qtr_bound *bound);
 
 /* The most that can come after a choice, counted from now: `after` is the situation just after it, before time passes.
  * Never less than the truth. */

@@ -74,7 +74,8 @@ typedef struct {
 
 /* Set an environment up over a game. `how` NULL: no aggregation, and the rule is the mission's. `field` is scratch. Game
  * and regions must outlive it. QTR_OK, or an error of qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way;
- * QTR_ERR_CONFIG if the caller was built under other sizes. */
+ * QTR_ERR_CONFIG if the caller was built under other sizes; QTR_ERR_STOPPED by the mission's watch, never without
+ * aggregation: the environment is of no use then. */
 #define qtr_environment_init(environment, game, how, field)                                                            \
   qtr_environment_init_built(environment, game, how, field, QTR_CONFIG_ID)
 int qtr_environment_init_built(qtr_environment *environment, const qtr_game *game, const qtr_aggregation *how,

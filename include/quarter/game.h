@@ -29,6 +29,7 @@ typedef struct {
   double power[QTR_GAME_POWERS];      /* gamma^n */
   uint8_t steps[4 * QTR_MAX_NODES * QTR_MAX_PLACES];
   uint16_t first_at[QTR_MAX_SEEKERS]; /* of each distinct start, the first seeker there */
+  uint16_t measured;                  /* places to which the travel times are known: all, but after a stop */
 } qtr_game;
 
 /* A moment of the game. */
@@ -46,7 +47,8 @@ typedef struct {
 
 /* Solve the elemental tasks of a checked mission and set the game up. `field` is scratch. The mission must outlive the
  * game. QTR_OK, QTR_ERR_LIMIT, QTR_ERR_UNREACHABLE with the first such place in `*culprit` (may be NULL),
- * QTR_ERR_DISCOUNT with the nearest place in it, or QTR_ERR_CONFIG if the caller was built under other sizes. */
+ * QTR_ERR_DISCOUNT with the nearest place in it, QTR_ERR_CONFIG if the caller was built under other sizes, or
+ * QTR_ERR_STOPPED by the mission's watch, which is asked after each place: the game is of no use then. */
 #define qtr_game_init(game, mission, field, culprit) qtr_game_init_built(game, mission, field, culprit, QTR_CONFIG_ID)
 int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit, uint32_t config_id);
 

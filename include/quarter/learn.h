@@ -17,5 +17,6 @@
 #include "quarter/regions.h"
 #include "quarter/robot.h"
 #include "quarter/spots.h"
+#include "quarter/watch.h"
 
 #endif

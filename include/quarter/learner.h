@@ -122,14 +122,15 @@ typedef struct {
 /* Begin, on the ground (an environment without aggregation) or on an aggregate of the same game (NULL: none). Then the
  * game must have the free rule: what was learnt on the aggregate is played on the ground as routes. Both environments
  * must outlive the learner. QTR_OK, QTR_ERR_ARGUMENT for a config out of range or the certified setting on regions, whose
- * times are no bound, or QTR_ERR_CONFIG if the caller was built under other array sizes. */
+ * times are no bound, or QTR_ERR_CONFIG if the caller was built under other array sizes. There is a first game in any case:
+ * a stop by the mission's watch leaves it as it is, with a bound that is not tight. */
 #define qtr_learner_init(learner, ground, aggregate, config)                                                           \
   qtr_learner_init_built(learner, ground, aggregate, config, QTR_CONFIG_ID)
 int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, const qtr_environment *aggregate,
                            const qtr_learner_config *config, uint32_t config_id);
 
-/* Learn a little more: some steps of the bound's prices, or one episode. May be stopped after any step; calling it again
- * after the end does nothing. */
+/* Learn a little more: some steps of the bound's prices, or one episode. May be stopped after any step, or within
+ * one by the mission's watch: what is known stays so, and learning can go on. Calling it again after the end does nothing. */
 enum qtr_learning qtr_learner_step(qtr_learner *learner);
 
 /* What is known now. Bound and value never grow worse from step to step. */

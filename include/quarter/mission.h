@@ -6,6 +6,7 @@
 #include "quarter/grid.h"
 #include "quarter/joint.h"
 #include "quarter/status.h"
+#include "quarter/watch.h"
 
 enum qtr_objective {
   QTR_DISCOUNTED = 0, /* maximise the sum over places of w P gamma^max(t-1, 0), w = 10 (paper, section 4.1) */
@@ -25,6 +26,7 @@ typedef struct {
   qtr_cell start[QTR_MAX_SEEKERS]; /* free cells, may coincide */
   qtr_cell place[QTR_MAX_PLACES];  /* free cells, all different */
   double weight[QTR_MAX_PLACES];   /* likelihood of each place, above 0, in any unit: normalised to sum 1 */
+  qtr_watch watch;                 /* ends long work on the mission early; none by default */
   uint8_t cost[QTR_MAX_CELLS];     /* 0 = blocked, 1..255 = steps that entering the cell takes; row 0 on top */
 } qtr_mission;
 

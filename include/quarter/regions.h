@@ -17,6 +17,7 @@
 #include "quarter/grid.h"
 #include "quarter/nearby.h"
 #include "quarter/status.h"
+#include "quarter/watch.h"
 
 /* `likelihood` stretches the distance of two places that are not alike, as it does between the places of a spot: times
  * 1 + likelihood * (P_max / P_min - 1). Two that are then further apart than the diameter are in different regions, so
@@ -29,6 +30,7 @@ typedef struct {
   uint16_t places;   /* 0..QTR_MAX_PLACES */
   const qtr_cell *place; /* their cells */
   const double *weight;  /* their likelihoods, above 0, in any unit */
+  qtr_watch watch;       /* ends the division early; none by default */
 } qtr_regions_config;
 
 /* Large: keep it in static storage. Regions are numbered by their lowest cells. */
@@ -61,7 +63,7 @@ void qtr_regions_default(qtr_regions_config *config);
  * QTR_ERR_ARGUMENT: a limit or a side of the grid is 0, or the likelihood out of its range; QTR_ERR_LIMIT: a limit, the
  * grid or the places are beyond what the build holds, or more than QTR_MAX_REGIONS regions were grown; QTR_ERR_PLACE,
  * QTR_ERR_WEIGHT: a place lies outside the grid, a likelihood is not above 0; QTR_ERR_CONFIG: the caller was built under
- * other sizes. The regions are then of no use. */
+ * other sizes; QTR_ERR_STOPPED by the watch. The regions are then of no use. */
 #define qtr_regions_build(regions, grid, config, scratch)                                                              \
   qtr_regions_build_built(regions, grid, config, scratch, QTR_CONFIG_ID)
 int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,

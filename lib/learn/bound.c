@@ -1,5 +1,6 @@
 #include "quarter/bound.h"
 
+#include <math.h>
 #include <stddef.h>
 
 #include "quarter/status.h"
@@ -8,8 +9,9 @@
 #define SCALE_FIRST 2.0 /* of Polyak's step; 2 is the most for which it converges */
 #define SCALE_LEAST 0.005
 #define SCALE_SHRINK 0.7
-#define PATIENCE 12u /* steps without gain before the scale shrinks */
-#define HORIZON 2u   /* slots reach so many times as far as the last visit of the play known */
+#define PATIENCE 12u    /* steps without gain before the scale shrinks */
+#define WATCH_SLOTS 32u /* filled from one asking of the watch to the next */
+#define HORIZON 2u      /* slots reach so many times as far as the last visit of the play known */
 
 static unsigned places_of(const qtr_bound *bound) {
   return bound->game->board.places;
@@ -110,12 +112,16 @@ static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned place, double ne
   gain->other = other;
 }
 
-static void fill_gains(qtr_bound *bound, const double *price) {
+/* False: stopped, and the gains are those of no prices. */
+static bool fill_gains(qtr_bound *bound, const double *price) {
   fill_late(bound, price);
-  for (uint32_t slot = bound->slots; slot-- > 0;)
+  for (uint32_t slot = bound->slots; slot-- > 0;) {
+    if (slot % WATCH_SLOTS == 0 && !qtr_watch_go_on(&bound->game->mission->watch)) return false;
     for (unsigned place = 0; place < places_of(bound); place++)
       if (bound->environment->tour[place].places > 0)
         fill_gain(bound, slot, place, net_worth(bound, price, place, slot * bound->slot_steps));
+  }
+  return true;
 }
 
 /* The first target of the best walk from a start; QTR_STAND_DOWN if staying is best. */
@@ -153,11 +159,11 @@ static void count_walk(const qtr_bound *bound, unsigned start_node, uint16_t tar
   }
 }
 
-/* The bound under `price`; adds up how often the seekers' best walks visit each target. */
+/* The bound under `price`, HUGE_VAL if stopped; adds up how often the seekers' best walks visit each target. */
 static double evaluate(qtr_bound *bound, const double *price, int *visits) {
   const qtr_board *board = &bound->game->board;
   double upper = 0.0;
-  fill_gains(bound, price);
+  if (!fill_gains(bound, price)) return HUGE_VAL;
   for (unsigned target = 0; target < targets_of(bound); target++) {
     upper += price[target];
     visits[target] = 0;
@@ -221,6 +227,20 @@ static qtr_steps price_by_visits(qtr_bound *bound, const qtr_steps *visit) {
   return last;
 }
 
+/* The bound without prices: each place reached by whoever is nearest to it, all at once. */
+static double upper_at_once(const qtr_bound *bound) {
+  const qtr_board *board = &bound->game->board;
+  double upper = 0.0;
+  for (unsigned place = 0; place < board->places; place++) {
+    qtr_steps soonest = QTR_NEVER;
+    for (unsigned start = 0; start < board->starts; start++)
+      if (travel_from(bound, (unsigned)board->places + start)[place] < soonest)
+        soonest = travel_from(bound, (unsigned)board->places + start)[place];
+    upper += qtr_game_worth(bound->game, place, soonest);
+  }
+  return upper;
+}
+
 int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit,
                          uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -237,6 +257,7 @@ int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, c
   bound->steps_without_gain = 0;
   restart_from_best(bound);
   bound->upper = evaluate(bound, bound->price, visits);
+  if (bound->upper == HUGE_VAL) bound->upper = upper_at_once(bound);
   return QTR_OK;
 }
 
@@ -262,6 +283,7 @@ static bool move_trial(qtr_bound *bound, double upper, double goal, const int *v
 bool qtr_bound_improve(qtr_bound *bound, double goal) {
   int visits[QTR_MAX_PLACES];
   const double upper = evaluate(bound, bound->trial, visits);
+  if (upper == HUGE_VAL) return true;
   bound->iterations++;
   /* Less than a thousandth of the way to the goal is no gain: or the steps would never end. */
   const bool gained = upper < bound->upper - 1e-3 * (bound->upper - goal);
@@ -272,13 +294,13 @@ bool qtr_bound_improve(qtr_bound *bound, double goal) {
     bound->steps_without_gain = 0;
     bound->scale *= SCALE_SHRINK;
     restart_from_best(bound);
-    evaluate(bound, bound->trial, visits);
+    if (evaluate(bound, bound->trial, visits) == HUGE_VAL) return true;
   }
   return upper > goal && bound->scale >= SCALE_LEAST && move_trial(bound, upper, goal, visits);
 }
 
-void qtr_bound_settle(qtr_bound *bound) {
-  fill_gains(bound, bound->price);
+bool qtr_bound_settle(qtr_bound *bound) {
+  return fill_gains(bound, bound->price);
 }
 
 /* ---- states ---- */

@@ -66,15 +66,18 @@ static bool plan_tour(qtr_environment *e, unsigned node, uint16_t target, uint8_
   return true;
 }
 
-static void plan_tours(qtr_environment *e, uint8_t order) {
+/* False: stopped. Places alone take no time. */
+static bool plan_tours(qtr_environment *e, uint8_t order) {
   for (unsigned place = 0; place < places_of(e); place++) e->tour[place].places = 0;
   for (unsigned node = 0; node < nodes_of(e); node++) {
+    if (e->targets < places_of(e) && !qtr_watch_go_on(&e->game->mission->watch)) return false;
     for (uint16_t target = 0; target < e->targets; target++) {
       e->first[(size_t)node * e->targets + target] = QTR_STAND_DOWN;
       if (node < places_of(e) && e->spots.spot_of[node] == target) continue;
       plan_tour(e, node, target, order);
     }
   }
+  return true;
 }
 
 static qtr_steps duration(const qtr_environment *e, unsigned node, unsigned target) {
@@ -127,15 +130,18 @@ static void note_way(qtr_environment *e, const qtr_grid *grid, const qtr_field *
   }
 }
 
-static void measure_regions(qtr_environment *e, qtr_field *field) {
+/* False: stopped. */
+static bool measure_regions(qtr_environment *e, qtr_field *field) {
   const qtr_grid grid = qtr_mission_grid(e->game->mission);
   const unsigned places = places_of(e);
   for (unsigned place = 0; place < places; place++) {
+    if (!qtr_watch_go_on(&e->game->mission->watch)) return false;
     qtr_field_fill(field, &grid, e->game->mission->place[place]);
     note_way(e, &grid, field, place);
     for (uint32_t region = 0; region < e->regions->count; region++)
       e->estimate[(size_t)region * places + place] = field->to_go[e->regions->representative[region]];
   }
+  return true;
 }
 
 /* Steps to the end of a tour as seen from the region, of whose places `stage` are passed: 1 at the least. */
@@ -211,8 +217,7 @@ static int make_targets(qtr_environment *e, const qtr_aggregation *how) {
     make_single_spots(e);
   }
   e->targets = e->spots.count;
-  plan_tours(e, how != NULL ? how->spot_order : QTR_SPOT_BEST);
-  return QTR_OK;
+  return plan_tours(e, how != NULL ? how->spot_order : QTR_SPOT_BEST) ? QTR_OK : QTR_ERR_STOPPED;
 }
 
 int qtr_environment_init_built(qtr_environment *e, const qtr_game *game, const qtr_aggregation *how, qtr_field *field,
@@ -224,7 +229,7 @@ int qtr_environment_init_built(qtr_environment *e, const qtr_game *game, const q
   int status = make_targets(e, how);
   if (status == QTR_OK) status = make_board(e, how != NULL ? how->rule : game->board.rule);
   if (status != QTR_OK) return status;
-  if (e->regions != NULL) measure_regions(e, field);
+  if (e->regions != NULL && !measure_regions(e, field)) return QTR_ERR_STOPPED;
   make_key_board(e);
   return QTR_OK;
 }

@@ -21,17 +21,20 @@ static void store_steps(qtr_game *game, unsigned node, unsigned place, qtr_steps
   store32_le(game->steps + 4 * ((uint32_t)node * game->board.places + place), steps);
 }
 
-/* One field a place gives the travel times to it from every node. */
-static void measure_travel(qtr_game *game, qtr_field *field) {
+/* One field a place gives the travel times to it from every node. False: stopped. */
+static bool measure_travel(qtr_game *game, qtr_field *field) {
   const qtr_mission *mission = game->mission;
   const qtr_grid grid = qtr_mission_grid(mission);
-  for (unsigned to = 0; to < mission->places; to++) {
+  for (uint16_t to = 0; to < mission->places; to++) {
+    if (to > 0 && !qtr_watch_go_on(&mission->watch)) return false;
     qtr_field_fill(field, &grid, mission->place[to]);
     for (unsigned from = 0; from < mission->places; from++)
       store_steps(game, from, to, field->to_go[mission->place[from]]);
     for (unsigned start = 0; start < game->board.starts; start++)
       store_steps(game, mission->places + start, to, field->to_go[mission->start[game->first_at[start]]]);
+    game->measured = (uint16_t)(to + 1);
   }
+  return true;
 }
 
 static void set_probabilities(qtr_game *game) {
@@ -87,7 +90,7 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *f
   game->board.rule = mission->rule;
   game->board.steps = game->steps;
   find_starts(game);
-  measure_travel(game, field);
+  if (!measure_travel(game, field)) return QTR_ERR_STOPPED;
   set_probabilities(game);
   set_powers(game);
   for (unsigned place = 0; place < mission->places; place++) {

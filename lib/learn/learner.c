@@ -21,6 +21,10 @@ static bool is_paper(const qtr_learner *learner) {
   return learner->config.setting == QTR_SETTING_PAPER;
 }
 
+static bool may_go_on(const qtr_learner *learner) {
+  return qtr_watch_go_on(&learner->game->mission->watch);
+}
+
 static bool is_aggregate(const qtr_learner *learner) {
   return learner->environment != learner->ground;
 }
@@ -155,7 +159,7 @@ static bool is_certified(const qtr_learner *learner) {
   return learner->ground_upper <= within_gap(learner, 1.0);
 }
 
-/* One game, given up as soon as it cannot beat the best one. */
+/* One game, given up as soon as it cannot beat the best one, or when stopped. */
 static void run_certified_episode(qtr_learner *learner) {
   /* Half of the gap: the other half takes up what rounding adds on the way back to the first state. */
   const double hopeless = within_gap(learner, 0.5);
@@ -171,7 +175,7 @@ static void run_certified_episode(qtr_learner *learner) {
     const unsigned picked = greedy(&learner->candidates);
     const qtr_trace *trace = &learner->trace[learner->play.choices];
     note_choice(learner, picked);
-    if (earned + discount * trace->q <= hopeless) {
+    if (earned + discount * trace->q <= hopeless || !may_go_on(learner)) {
       value = trace->q;
       break;
     }
@@ -198,12 +202,14 @@ static void back_up_last(qtr_learner *learner, double value) {
   if (qtr_qtable_set(&learner->table, &trace->key, after)) learner->updates++;
 }
 
-static void run_exploring_episode(qtr_learner *learner) {
+/* False: stopped. What was learnt until then stays. */
+static bool run_exploring_episode(qtr_learner *learner) {
   qtr_situation state;
   int seeker;
   qtr_play_begin(&learner->play);
   qtr_environment_start(learner->environment, &state);
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
+    if (!may_go_on(learner)) return false;
     list_candidates(learner, &state, seeker);
     const double largest = learner->candidates.q[greedy(&learner->candidates)];
     back_up_last(learner, largest);
@@ -213,20 +219,23 @@ static void run_exploring_episode(qtr_learner *learner) {
   }
   back_up_last(learner, 0.0);
   qtr_explorer_next(&learner->explorer);
+  return true;
 }
 
-/* What has been learnt so far, played without learning. */
+/* What has been learnt so far, played without learning. The first such game is the best one, whatever was played before. */
 static void play_greedily(qtr_learner *learner) {
   qtr_situation state;
   int seeker;
   qtr_play_begin(&learner->play);
   qtr_environment_start(learner->environment, &state);
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
+    if (!may_go_on(learner)) return;
     list_candidates(learner, &state, seeker);
     const unsigned picked = greedy(&learner->candidates);
     if (learner->play.choices == 0) learner->max_q = learner->candidates.q[picked];
     act(learner, &state, seeker, learner->candidates.choice[picked]);
   }
+  if (learner->episodes == 1) learner->best.score.worth = -HUGE_VAL;
   keep_if_best(learner);
 }
 
@@ -329,7 +338,8 @@ static void tune_prices(qtr_learner *learner) {
     learner->pricing = qtr_bound_improve(&learner->bound, learner->best.score.worth);
   note_upper(learner);
   if (learner->pricing) return;
-  qtr_bound_settle(&learner->bound);
+  learner->pricing = !qtr_bound_settle(&learner->bound);
+  if (learner->pricing) return;
   if (!learner->aggregate_priced) price_aggregate(learner);
 }
 
@@ -347,13 +357,12 @@ static enum qtr_learning step_certified(qtr_learner *learner) {
   if (learner->best.score.worth > best) refine_best(learner, LATER_ROUNDS);
   if (!is_aggregate(learner)) learner->ground_upper = learner->upper;
   const bool learnt = learner->updates > updates || learner->best.score.worth > best || learner->upper < upper;
-  return learnt || is_certified(learner) ? verdict(learner) : QTR_CONVERGED;
+  return learnt || is_certified(learner) || !may_go_on(learner) ? verdict(learner) : QTR_CONVERGED;
 }
 
 static enum qtr_learning step_paper(qtr_learner *learner) {
+  if (!run_exploring_episode(learner)) return QTR_LEARNING;
   learner->episodes++;
-  run_exploring_episode(learner);
-  if (learner->episodes == 1) learner->best.score.worth = -HUGE_VAL;
   play_greedily(learner);
   return learner->config.gap > 0.0 && is_certified(learner) ? QTR_CERTIFIED : QTR_LEARNING;
 }

@@ -121,19 +121,23 @@ static bool try_exchange(qtr_refinery *r, qtr_routes *routes, const qtr_game *ga
   return keep_two(r, routes, game, first, a, second, b);
 }
 
-/* ---- neighbourhoods: true if something was bettered ---- */
+/* ---- neighbourhoods: true if something was bettered; when stopped, nothing more is ---- */
+
+static bool may_go_on(const qtr_game *game) {
+  return qtr_watch_go_on(&game->mission->watch);
+}
 
 static bool search_shifts(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker) {
   const unsigned length = routes->length[seeker];
   for (unsigned count = 1; count <= SEGMENT_MOST && count < length; count++)
-    for (unsigned from = 0; from + count <= length; from++)
+    for (unsigned from = 0; from + count <= length && may_go_on(game); from++)
       for (unsigned at = 0; at + count <= length; at++)
         if (at != from && try_shift(r, routes, game, seeker, from, count, at)) return true;
   return false;
 }
 
 static bool search_reversals(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker) {
-  for (unsigned from = 0; from + 1 < routes->length[seeker]; from++)
+  for (unsigned from = 0; from + 1 < routes->length[seeker] && may_go_on(game); from++)
     for (unsigned to = from + 2; to <= routes->length[seeker]; to++)
       if (try_reverse(r, routes, game, seeker, from, to)) return true;
   return false;
@@ -150,13 +154,13 @@ static bool search_exchanges_of(qtr_refinery *r, qtr_routes *routes, const qtr_g
 static bool search_exchanges(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first,
                              unsigned second) {
   for (unsigned count = 1; count <= SEGMENT_MOST; count++)
-    for (unsigned from = 0; from + count <= routes->length[first]; from++)
+    for (unsigned from = 0; from + count <= routes->length[first] && may_go_on(game); from++)
       if (search_exchanges_of(r, routes, game, first, from, count, second)) return true;
   return false;
 }
 
 static bool search_tails(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned second) {
-  for (unsigned from = 0; from <= routes->length[first]; from++)
+  for (unsigned from = 0; from <= routes->length[first] && may_go_on(game); from++)
     for (unsigned at = 0; at <= routes->length[second]; at++)
       if (try_exchange(r, routes, game, first, from, routes->length[first] - from, second, at,
                        routes->length[second] - at))
@@ -221,7 +225,7 @@ void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsig
   descend(r, routes, game);
   qtr_route_score best = evaluate_all(routes, game);
   r->best = *routes;
-  for (unsigned round = 0; round < rounds; round++) {
+  for (unsigned round = 0; round < rounds && may_go_on(game); round++) {
     for (unsigned shakes = 1 + draw(r, SHAKES_MOST); shakes > 0; shakes--) shake(r, routes, game);
     descend(r, routes, game);
     const qtr_route_score score = evaluate_all(routes, game);

@@ -16,6 +16,10 @@ typedef struct {
   uint32_t cells;
 } division;
 
+static bool may_go_on(const division *d) {
+  return qtr_watch_go_on(&d->config->watch);
+}
+
 /* How many of a cell's neighbours are in a region. */
 static int neighbours_in(const division *d, qtr_cell cell, qtr_region region) {
   qtr_cell next[4];
@@ -136,7 +140,7 @@ static void follow_median(const division *d, qtr_region region) {
 }
 
 static void follow_medians(const division *d) {
-  for (uint32_t region = 0; region < d->regions->count; region++)
+  for (uint32_t region = 0; region < d->regions->count && may_go_on(d); region++)
     if (d->scratch->changed[region] && d->regions->size[region] > 0) follow_median(d, (qtr_region)region);
 }
 
@@ -245,6 +249,7 @@ static int cover(const division *d, qtr_cell start) {
   qtr_cell from = start;
   for (;;) {
     if (d->regions->count == QTR_MAX_REGIONS) return QTR_ERR_LIMIT;
+    if (!may_go_on(d)) return QTR_ERR_STOPPED;
     grow(d, find_corner(d, from));
     lined_up = line_up(d, (qtr_region)(d->regions->count - 1), lined_up);
     while (at < lined_up && d->regions->of[waiting[at]] != QTR_NO_REGION) at++;
@@ -377,7 +382,7 @@ static void attract(const division *d, qtr_region region) {
 }
 
 static void exchange(const division *d) {
-  for (uint32_t region = 0; region < d->regions->count; region++)
+  for (uint32_t region = 0; region < d->regions->count && may_go_on(d); region++)
     if (d->regions->size[region] > 0) attract(d, (qtr_region)region);
   follow_medians(d);
 }
@@ -422,7 +427,7 @@ static void dissolve_one(const division *d, qtr_region region) {
 static void dissolve(const division *d) {
   for (uint32_t size = 1; size < d->config->max_size; size++)
     for (uint32_t region = 0; region < d->regions->count; region++)
-      if (d->regions->size[region] == size) dissolve_one(d, (qtr_region)region);
+      if (d->regions->size[region] == size && may_go_on(d)) dissolve_one(d, (qtr_region)region);
   follow_medians(d);
 }
 
@@ -433,10 +438,8 @@ static void number(const division *d) {
   qtr_regions *regions = d->regions;
   qtr_cell *fresh = d->scratch->waiting;         /* the new number, by the old */
   qtr_cell *representative = d->nearby->reached; /* by the old number */
-  for (uint32_t region = 0; region < regions->count; region++) {
-    fresh[region] = QTR_NO_CELL;
-    representative[region] = regions->representative[region];
-  }
+  for (uint32_t region = 0; region < regions->count; region++) fresh[region] = QTR_NO_CELL;
+  memcpy(representative, regions->representative, regions->count * sizeof *representative);
   regions->count = 0;
   for (uint32_t cell = 0; cell < d->cells; cell++) {
     const qtr_region old = regions->of[cell];
@@ -481,10 +484,8 @@ int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qt
   const division d = {regions, config, scratch, &scratch->nearby, qtr_grid_cells(grid)};
   regions->cells = d.cells;
   qtr_nearby_init(&scratch->nearby, grid);
-  for (uint32_t cell = 0; cell < d.cells; cell++) {
-    regions->of[cell] = QTR_NO_REGION;
-    scratch->error[cell] = 0;
-  }
+  for (uint32_t cell = 0; cell < d.cells; cell++) regions->of[cell] = QTR_NO_REGION;
+  memset(scratch->error, 0, d.cells * sizeof *scratch->error);
   regions->count = 0;
   status = cover_all(&d);
   if (status != QTR_OK) return status;
@@ -495,6 +496,6 @@ int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qt
   }
   exchange(&d);
   number(&d);
-  for (uint32_t region = 0; region < regions->count; region++) find_median(&d, (qtr_region)region);
-  return QTR_OK;
+  for (uint32_t region = 0; region < regions->count && may_go_on(&d); region++) find_median(&d, (qtr_region)region);
+  return may_go_on(&d) ? QTR_OK : QTR_ERR_STOPPED;
 }

@@ -20,7 +20,8 @@ static const char *const texts[] = {"success",
                                     "a place cannot be reached by any seeker",
                                     "the discount leaves next to nothing of even the nearest place",
                                     "the table's travel times contradict one another, or leave a place out of reach",
-                                    "the table's value, bound and gap are no numbers, or contradict one another"};
+                                    "the table's value, bound and gap are no numbers, or contradict one another",
+                                    "stopped before the work was done"};
 
 const char *qtr_strerror(int status) {
   const int count = (int)(sizeof texts / sizeof texts[0]);
