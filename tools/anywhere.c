@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "progress.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
@@ -27,7 +28,7 @@ typedef struct {
   uint8_t rank;   /* of the records being added: among records of one state the lowest stays */
 } builder;
 
-static study alone; /* learns one start and one set of places left at a time */
+static study *alone; /* learns one start and one set of places left at a time */
 
 /* ---- how large it would be ---- */
 
@@ -134,7 +135,7 @@ static int make_board(builder *b, fault *why) {
 /* The mission that is left; `number` tells its places' numbers in the whole one. */
 static void make_rest(const builder *b, const qtr_cell *starts, uint64_t cleared, uint16_t *number) {
   const qtr_mission *whole = &b->s->p.in.mission;
-  qtr_mission *rest = &alone.p.in.mission;
+  qtr_mission *rest = &alone->p.in.mission;
   rest->places = 0;
   rest->objective = whole->objective;
   for (uint16_t place = 0; place < whole->places; place++) {
@@ -148,7 +149,7 @@ static void make_rest(const builder *b, const qtr_cell *starts, uint64_t cleared
 
 /* From starts, or with places left, that are so far apart that discounting tells nothing any more, expected time does. */
 static int set_up_rest(void) {
-  problem *p = &alone.p;
+  problem *p = &alone->p;
   const int status = qtr_game_init(&p->game, &p->in.mission, &p->field, NULL);
   if (status != QTR_ERR_DISCOUNT) return status;
   p->in.mission.objective = QTR_TIME;
@@ -161,8 +162,8 @@ static bool learn_rest(const builder *b, fault *why) {
   o.by_regions = o.by_spots = false;
   o.setting = QTR_SETTING_CERTIFIED;
   if (set_up_rest() != QTR_OK) return false;
-  if (study_begin(&alone, &o, why) != 0) return false;
-  for (int steps = 0; steps < 2000 && qtr_learner_step(&alone.learner) == QTR_LEARNING; steps++) {}
+  if (study_begin(alone, &o, why) != 0) return false;
+  for (int steps = 0; steps < 2000 && qtr_learner_step(&alone->learner) == QTR_LEARNING; steps++) {}
   return !stop_asked();
 }
 
@@ -216,8 +217,8 @@ static int add_game(builder *b, const uint16_t *start_of, uint64_t cleared, faul
   make_rest(b, starts, cleared, number);
   if (!learn_rest(b, why)) return why->text[0] != '\0' ? -1 : 0;
   b->games++;
-  qtr_play_to_routes(&alone.learner.best, &alone.p.game, &alone.learner.routes);
-  return record_game(b, &alone.learner.routes, start_of, cleared, number, why);
+  qtr_play_to_routes(&alone->learner.best, &alone->p.game, &alone->learner.routes);
+  return record_game(b, &alone->learner.routes, start_of, cleared, number, why);
 }
 
 /* The mission's own game is learnt already, and the certificate is that of its routes. */
@@ -359,8 +360,8 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
       while (mission->cost[starts[i]] == 0);
     make_rest(b, starts, 0, number);
     if (qtr_policy_deploy(&t.policy, starts) != QTR_OK || !learn_rest(b, why)) continue;
-    const double worth = earn_on_ground(b, &t, &alone.p.game);
-    const double best = alone.learner.best.score.worth;
+    const double worth = earn_on_ground(b, &t, &alone->p.game);
+    const double best = alone->learner.best.score.worth;
     losses[report->trials++] = (best - worth) / fabs(best);
   }
   if (report->trials == 0) return;
@@ -374,7 +375,9 @@ uint32_t anywhere_learn(study *s, const options *o, uint8_t **bytes, anywhere_re
   uint32_t size = 0;
   bool complete = false;
   *report = (anywhere_report){0};
-  memcpy(&alone.p.in.mission, &s->p.in.mission, sizeof alone.p.in.mission);
+  alone = memory_take(sizeof *alone, why);
+  if (alone == NULL) return 0;
+  memcpy(&alone->p.in.mission, &s->p.in.mission, sizeof alone->p.in.mission);
   if (make_board(&b, why) == 0 && check_size(&b, why) == 0 && add_all(&b, why) == 0) {
     complete = !stop_asked();
     sort_records(&b);
@@ -384,6 +387,7 @@ uint32_t anywhere_learn(study *s, const options *o, uint8_t **bytes, anywhere_re
   report->complete = complete;
   report->regions = b.regions;
   if (size > 0 && b.region != NULL) try_starts(&b, *bytes, size, report, why);
+  free(alone);
   free(b.records);
   free(b.region);
   free(b.start);

@@ -7,6 +7,7 @@
 #include "count.h"
 #include "draw_svg.h"
 #include "json.h"
+#include "memory.h"
 #include "outfile.h"
 #include "print.h"
 #include "problem.h"
@@ -59,12 +60,17 @@ typedef struct {
   double mean_distance; /* steps of a free cell from its region's representative */
 } sheet;
 
+/* What drawing needs beside the sheet. */
+typedef struct {
+  problem drawn;
+  qtr_field way;
+  qtr_regions divided;
+  qtr_regions_scratch dividing;
+  qtr_spots grouped, grouping;
+} work;
+
 static sheet picture;
-static problem drawn;
-static qtr_field way;
-static qtr_regions divided;
-static qtr_regions_scratch dividing;
-static qtr_spots grouped, grouping;
+static work *desk;
 
 static void __attribute__((format(printf, 2, 3))) add_line(sheet *s, const char *format, ...) {
   va_list arguments;
@@ -91,8 +97,8 @@ static void free_sheet(sheet *s) {
 /* ---- an input ---- */
 
 static int from_input(sheet *s, const options *o, fault *why) {
-  const qtr_mission *mission = &drawn.in.mission;
-  if (problem_read(&drawn, o, why) != 0) return -1;
+  const qtr_mission *mission = &desk->drawn.in.mission;
+  if (problem_read(&desk->drawn, o, why) != 0) return -1;
   const size_t cells = (size_t)mission->columns * mission->rows;
   s->cost = malloc(cells);
   if (s->cost == NULL) return fault_set(why, "%s: no memory for the picture", o->input);
@@ -100,14 +106,14 @@ static int from_input(sheet *s, const options *o, fault *why) {
   memcpy(s->cost, mission->cost, cells);
   s->d.columns = mission->columns;
   s->d.rows = mission->rows;
-  s->d.cell_size = drawn.in.frame.metric ? drawn.in.frame.cell_size : 0.0;
+  s->d.cell_size = desk->drawn.in.frame.metric ? desk->drawn.in.frame.cell_size : 0.0;
   s->d.places = mission->places;
   memcpy(s->place, mission->place, sizeof s->place);
   memcpy(s->likelihood, mission->weight, sizeof s->likelihood);
   s->d.seekers = mission->seekers;
   for (int i = 0; i < mission->seekers; i++) s->seeker[i] = (drawing_seeker){.start = mission->start[i]};
   add_line(s, "places\t%d", mission->places);
-  add_line(s, "free cells\t%" PRIu32, problem_free_cells(&drawn));
+  add_line(s, "free cells\t%" PRIu32, problem_free_cells(&desk->drawn));
   return 0;
 }
 
@@ -125,9 +131,9 @@ static int walk(sheet *s, const table *t, int seeker, fault *why) {
   s->trail[seeker][length++] = cell;
   for (int i = 0; i < route->places; i++) {
     const qtr_cell goal = qtr_policy_cell(&t->policy, route->place[i]);
-    qtr_field_fill(&way, &t->policy.grid, goal);
+    qtr_field_fill(&desk->way, &t->policy.grid, goal);
     while (cell != goal && length < room) {
-      cell = qtr_field_next(&way, &t->policy.grid, cell);
+      cell = qtr_field_next(&desk->way, &t->policy.grid, cell);
       if (cell == QTR_NO_CELL) return fault_set(why, "the table's travel times do not fit its map; learn it again");
       s->trail[seeker][length++] = cell;
     }
@@ -189,37 +195,37 @@ static int add_regions(sheet *s, const options *o, fault *why) {
                                      .weight = s->likelihood};
   const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->cost};
   const size_t cells = (size_t)s->d.columns * s->d.rows;
-  const int status = qtr_regions_build(&divided, &grid, &config, &dividing);
+  const int status = qtr_regions_build(&desk->divided, &grid, &config, &desk->dividing);
   if (status != QTR_OK) return fault_set(why, "%s: its regions: %s", o->input, qtr_strerror(status));
   s->region = malloc(cells * sizeof *s->region);
-  if (s->region == NULL || divided.count > UINT16_MAX)
+  if (s->region == NULL || desk->divided.count > UINT16_MAX)
     return fault_set(why, "%s: too many regions for a picture: %" PRIu32 "; allow larger ones", o->input,
-                     divided.count);
-  for (size_t cell = 0; cell < cells; cell++) s->region[cell] = (uint16_t)divided.of[cell];
+                     desk->divided.count);
+  for (size_t cell = 0; cell < cells; cell++) s->region[cell] = (uint16_t)desk->divided.of[cell];
   s->d.region = s->region;
-  s->d.regions = divided.count;
-  s->d.representative = divided.representative;
+  s->d.regions = desk->divided.count;
+  s->d.representative = desk->divided.representative;
   for (size_t cell = 0; cell < cells; cell++) {
-    if (divided.of[cell] == QTR_NO_REGION) continue;
+    if (desk->divided.of[cell] == QTR_NO_REGION) continue;
     s->free_cells++;
-    s->mean_distance += dividing.error[cell];
+    s->mean_distance += desk->dividing.error[cell];
   }
   if (s->free_cells > 0) s->mean_distance /= s->free_cells;
-  add_line(s, "regions\t%" PRIu32, divided.count);
+  add_line(s, "regions\t%" PRIu32, desk->divided.count);
   add_line(s, "to representative\t%.3g step%s", s->mean_distance, s->mean_distance == 1.0 ? "" : "s");
   return 0;
 }
 
 static int add_spots(sheet *s, const options *o, fault *why) {
-  const qtr_game *game = &drawn.game;
+  const qtr_game *game = &desk->drawn.game;
   const qtr_spots_config config = {(uint8_t)o->spot_size, (qtr_steps)o->spot_diameter, o->spot_likelihood};
   const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, NULL, 0};
   if (game->board.places == 0)
     return fault_set(why, "%s: --spots goes with a mission or a drawing, not with a policy table", o->input);
-  const int status = qtr_spots_build(&grouped, &ground, &config, &grouping);
+  const int status = qtr_spots_build(&desk->grouped, &ground, &config, &desk->grouping);
   if (status != QTR_OK) return fault_set(why, "%s: its spots: %s", o->input, qtr_strerror(status));
-  s->d.spot = grouped.spot_of;
-  add_line(s, "spots\t%d", grouped.count);
+  s->d.spot = desk->grouped.spot_of;
+  add_line(s, "spots\t%d", desk->grouped.count);
   return 0;
 }
 
@@ -236,7 +242,7 @@ static void write_json(FILE *out, const void *what) {
   json_integer(&j, "rows", s->d.rows);
   json_integer(&j, "places", s->d.places);
   json_integer(&j, "robots", s->d.seekers);
-  if (s->d.spot != NULL) json_integer(&j, "spots", grouped.count);
+  if (s->d.spot != NULL) json_integer(&j, "spots", desk->grouped.count);
   if (s->d.regions > 0) {
     json_natural(&j, "cells", s->free_cells);
     json_natural(&j, "regions", s->d.regions);
@@ -276,9 +282,11 @@ static int fill_sheet(sheet *s, const options *o, fault *why) {
 
 static int draw(const options *o, fault *why) {
   if (o->output == NULL) return fault_set(why, "quarter draw: say where to with -o FILE.svg");
+  desk = memory_take(sizeof *desk, why);
+  if (desk == NULL) return -1;
   set_arrays(&picture);
   int status = fill_sheet(&picture, o, why);
-  picture.d.title = drawn.in.name[0] != '\0' ? drawn.in.name : base_name(o->input);
+  picture.d.title = desk->drawn.in.name[0] != '\0' ? desk->drawn.in.name : base_name(o->input);
   if (status == 0 && o->regions) status = add_regions(&picture, o, why);
   if (status == 0 && o->spots) status = add_spots(&picture, o, why);
   if (status == 0) status = write_picture(&picture, o, why);

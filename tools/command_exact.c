@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "exact.h"
+#include "memory.h"
 #include "outfile.h"
 #include "progress.h"
 #include "report.h"
@@ -29,7 +30,7 @@ static const char help[] =
 
 static const option_set set = {"exact", " json quiet robots objective rule gamma cell-size skip-unreachable "};
 
-static problem solved;
+static problem *solved;
 
 /* Travel times from each seeker's start and each place to each place, found anew: none of the game's are used. */
 static qtr_steps *measure(problem *p) {
@@ -65,15 +66,16 @@ static void fill_report(report *r, const exact_solution *solution, const qtr_mis
 
 static int solve(const options *o, report *r, fault *why) {
   static exact_solution solution;
-  if (problem_read(&solved, o, why) != 0) return -1;
+  solved = memory_take(sizeof *solved, why);
+  if (solved == NULL || problem_read(solved, o, why) != 0) return -1;
   const double begin = clock_seconds();
-  *r = (report){.command = "exact", .ended = "certified", .o = o, .p = &solved};
-  qtr_steps *steps = measure(&solved);
-  const int status = steps != NULL ? exact_solve(&solution, &solved.in.mission, steps, why)
+  *r = (report){.command = "exact", .ended = "certified", .o = o, .p = solved};
+  qtr_steps *steps = measure(solved);
+  const int status = steps != NULL ? exact_solve(&solution, &solved->in.mission, steps, why)
                                    : fault_set(why, "%s: no memory for the travel times", o->input);
   free(steps);
   if (status != 0) return -1;
-  fill_report(r, &solution, &solved.in.mission);
+  fill_report(r, &solution, &solved->in.mission);
   r->seconds = clock_seconds() - begin;
   return report_write(r, why);
 }

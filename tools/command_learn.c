@@ -3,6 +3,7 @@
 #include "carray.h"
 #include "commands.h"
 #include "curve.h"
+#include "memory.h"
 #include "outfile.h"
 #include "progress.h"
 #include "quarter/export.h"
@@ -73,7 +74,7 @@ static const option_set set = {"learn",
                                " region-likelihood region-times"
                                " spot-size spot-diameter spot-order spot-likelihood starts cleared table-limit "};
 
-static study learnt;
+static study *learnt;
 
 /* Whether a file can be written there, found out before the search and not after it. */
 static int check_outputs(const options *o, fault *why) {
@@ -101,14 +102,14 @@ static int search(report *r, const options *o, fault *why) {
   if (curve_begin(&course, o->curve, why) != 0) return -1;
   progress_begin(&shown, o->quiet, o->time_limit, o->gap);
   while (r->ended == NULL) {
-    const enum qtr_learning learning = qtr_learner_step(&learnt.learner);
-    qtr_learner_certificate(&learnt.learner, &r->certificate);
+    const enum qtr_learning learning = qtr_learner_step(&learnt->learner);
+    qtr_learner_certificate(&learnt->learner, &r->certificate);
     progress_show(&shown, &r->certificate, stop_seconds());
-    curve_note(&course, &learnt.learner, &r->certificate);
+    curve_note(&course, &learnt->learner, &r->certificate);
     r->ended = find_end(learning, o, r->certificate.episodes);
   }
   progress_end(&shown);
-  return curve_end(&course, &learnt.learner, &r->certificate, why);
+  return curve_end(&course, &learnt->learner, &r->certificate, why);
 }
 
 static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bool as_c, fault *why) {
@@ -125,10 +126,10 @@ static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bo
 static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *why) {
   r->anywhere = o->any_starts || o->any_cleared;
   stop_after(o->time_limit);
-  if (r->anywhere) return anywhere_learn(&learnt, o, bytes, &r->any, why);
-  const uint32_t size = qtr_export_size(&learnt.learner);
+  if (r->anywhere) return anywhere_learn(learnt, o, bytes, &r->any, why);
+  const uint32_t size = qtr_export_size(&learnt->learner);
   *bytes = malloc(size);
-  const int32_t written = *bytes != NULL ? qtr_export(&learnt.learner, *bytes, size) : QTR_ERR_SPACE;
+  const int32_t written = *bytes != NULL ? qtr_export(&learnt->learner, *bytes, size) : QTR_ERR_SPACE;
   if (written > 0) return (uint32_t)written;
   free(*bytes);
   fault_set(why, "no policy table can be made: %s", qtr_strerror(written));
@@ -157,20 +158,21 @@ static int write_table(report *r, const options *o, fault *why) {
 
 /* Of what was learnt on, and how large it became. */
 static void count(report *r, const options *o) {
-  r->regions = o->by_regions && learnt.aggregated ? learnt.regions.count : 0;
-  r->spots = o->by_spots && learnt.aggregated ? learnt.aggregate.targets : 0;
-  r->q_entries = learnt.learner.table.entries;
-  r->q_bytes = (uint64_t)learnt.learner.table.entries * qtr_qtable_entry_bytes(&learnt.learner.table);
+  r->regions = o->by_regions && learnt->aggregated ? learnt->regions.count : 0;
+  r->spots = o->by_spots && learnt->aggregated ? learnt->aggregate.targets : 0;
+  r->q_entries = learnt->learner.table.entries;
+  r->q_bytes = (uint64_t)learnt->learner.table.entries * qtr_qtable_entry_bytes(&learnt->learner.table);
 }
 
 static int learn(const options *o, report *r, fault *why) {
   stop_after(o->time_limit * (o->any_starts || o->any_cleared ? SEARCH_SHARE : 1.0));
-  if (check_outputs(o, why) != 0 || study_read(&learnt, o, why) != 0) return -1;
+  learnt = memory_take(sizeof *learnt, why);
+  if (learnt == NULL || check_outputs(o, why) != 0 || study_read(learnt, o, why) != 0) return -1;
   const double begin = stop_seconds();
-  if (study_begin(&learnt, o, why) != 0) return -1;
-  *r = (report){.command = "learn", .o = o, .p = &learnt.p};
+  if (study_begin(learnt, o, why) != 0) return -1;
+  *r = (report){.command = "learn", .o = o, .p = &learnt->p};
   if (search(r, o, why) != 0) return -1;
-  r->seconds = stop_seconds() - begin + learnt.p.travel_seconds;
+  r->seconds = stop_seconds() - begin + learnt->p.travel_seconds;
   count(r, o);
   if (write_table(r, o, why) != 0) return -1;
   return report_write(r, why);

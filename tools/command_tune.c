@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "count.h"
 #include "json.h"
+#include "memory.h"
 #include "print.h"
 #include "progress.h"
 #include "stop.h"
@@ -52,7 +53,7 @@ typedef struct {
   qtr_certificate certificate;
 } try;
 
-static study tuned;
+static study *tuned;
 static try tries[TRIES_MOST];
 static int count;
 static int planned, tried; /* a stop leaves the rest out */
@@ -70,7 +71,7 @@ static int compare_steps(const void *a, const void *b) {
 static int pick_diameters(qtr_steps *diameters) {
   static qtr_steps all[QTR_MAX_PLACES * QTR_MAX_PLACES];
   static const double quantiles[DIAMETERS] = {0.03, 0.07, 0.12, 0.2, 0.35, 0.6};
-  const qtr_board *board = &tuned.p.game.board;
+  const qtr_board *board = &tuned->p.game.board;
   int pairs = 0;
   int picked = 0;
   for (unsigned from = 0; from < board->places; from++) {
@@ -138,13 +139,13 @@ static void apply(const try *t, options *o) {
 static int learn_try(try *t, const options *asked, uint64_t episodes, fault *why) {
   options o = *asked;
   apply(t, &o);
-  if (study_begin(&tuned, &o, why) != 0) return -1;
-  do qtr_learner_certificate(&tuned.learner, &t->certificate);
-  while (!stop_asked() && t->certificate.episodes < episodes && qtr_learner_step(&tuned.learner) == QTR_LEARNING);
-  qtr_learner_certificate(&tuned.learner, &t->certificate);
-  t->entries = tuned.learner.table.entries;
-  t->regions = t->by_regions && tuned.aggregated ? tuned.regions.count : 0;
-  t->spots = t->by_spots && tuned.aggregated ? tuned.aggregate.targets : 0;
+  if (study_begin(tuned, &o, why) != 0) return -1;
+  do qtr_learner_certificate(&tuned->learner, &t->certificate);
+  while (!stop_asked() && t->certificate.episodes < episodes && qtr_learner_step(&tuned->learner) == QTR_LEARNING);
+  qtr_learner_certificate(&tuned->learner, &t->certificate);
+  t->entries = tuned->learner.table.entries;
+  t->regions = t->by_regions && tuned->aggregated ? tuned->regions.count : 0;
+  t->spots = t->by_spots && tuned->aggregated ? tuned->aggregate.targets : 0;
   return 0;
 }
 
@@ -165,7 +166,7 @@ static int prove(const options *asked, fault *why) {
 
 /* The best bound that any try found is good for all: they share the ground. */
 static void share_bound(void) {
-  const bool by_time = tuned.p.in.mission.objective == QTR_TIME;
+  const bool by_time = tuned->p.in.mission.objective == QTR_TIME;
   double bound = proven.certificate.bound;
   for (int i = 0; i < count; i++)
     if (by_time ? tries[i].certificate.bound > bound : tries[i].certificate.bound < bound)
@@ -196,7 +197,8 @@ static int learn_all(const options *o, fault *why) {
 
 static int tune(const options *o, fault *why) {
   stop_after(o->time_limit);
-  if (study_read(&tuned, o, why) != 0) return -1;
+  tuned = memory_take(sizeof *tuned, why);
+  if (tuned == NULL || study_read(tuned, o, why) != 0) return -1;
   add_tries(o);
   if (prove(o, why) != 0 || learn_all(o, why) != 0) return -1;
   share_bound();
@@ -281,7 +283,7 @@ static void write_text(FILE *out, const void *what) {
   for (int i = 0; i < count && i < 10; i++) {
     const try *t = &tries[i];
     fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap, t->certificate.objective,
-            t->entries, t->by_spots ? t->spots : tuned.p.game.board.places);
+            t->entries, t->by_spots ? t->spots : tuned->p.game.board.places);
     write_options(out, t);
     fputc('\n', out);
   }

@@ -5,13 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "outfile.h"
 #include "progress.h"
 #include "quarter/export.h"
 #include "quarter/status.h"
 #include "study.h"
 
-static study learnt;
+static study *learnt;
 
 /* ---- learning ---- */
 
@@ -24,21 +25,22 @@ static int read_mission(options *o, const char *mission, int robots, fault *why)
   if (options_parse(o, &none, 2, words, why) != 0) return -1;
   o->robots = robots;
   o->input = mission;
-  return study_read(&learnt, o, why);
+  learnt = memory_take(sizeof *learnt, why);
+  return learnt != NULL ? study_read(learnt, o, why) : -1;
 }
 
 static void learn(double seconds) {
   const double begin = clock_seconds();
-  while (qtr_learner_step(&learnt.learner) == QTR_LEARNING && clock_seconds() - begin < seconds) continue;
+  while (qtr_learner_step(&learnt->learner) == QTR_LEARNING && clock_seconds() - begin < seconds) continue;
 }
 
 static int learn_table(table *t, const options *o, double seconds, fault *why) {
-  if (study_begin(&learnt, o, why) != 0) return -1;
+  if (study_begin(learnt, o, why) != 0) return -1;
   learn(seconds);
-  const uint32_t size = qtr_export_size(&learnt.learner);
+  const uint32_t size = qtr_export_size(&learnt->learner);
   t->bytes.data = malloc(size);
   t->bytes.size = size;
-  int32_t status = t->bytes.data != NULL ? qtr_export(&learnt.learner, t->bytes.data, size) : QTR_ERR_SPACE;
+  int32_t status = t->bytes.data != NULL ? qtr_export(&learnt->learner, t->bytes.data, size) : QTR_ERR_SPACE;
   if (status > 0) status = qtr_policy_open(&t->policy, t->bytes.data, size);
   if (status == QTR_OK) return 0;
   free(t->bytes.data);
@@ -78,7 +80,7 @@ static const char *difference(const table *t, const qtr_mission *mission) {
 
 static int read_table(table *t, const char *path, const options *o, fault *why) {
   if (table_read(t, path, why) != 0) return -1;
-  const char *other = difference(t, &learnt.p.in.mission);
+  const char *other = difference(t, &learnt->p.in.mission);
   if (other == NULL) return 0;
   table_free(t);
   return fault_set(why, "%s: this table is not of %s: %s; learn it again with 'quarter learn %s -o %s'", path, o->input,
@@ -116,7 +118,7 @@ static int save_table(const table *t, const char *path, fault *why) {
 
 static void name_mission(plan *p, const char *mission) {
   const char *slash = strrchr(mission, '/');
-  const char *name = learnt.p.in.name[0] != '\0' ? learnt.p.in.name : slash != NULL ? slash + 1 : mission;
+  const char *name = learnt->p.in.name[0] != '\0' ? learnt->p.in.name : slash != NULL ? slash + 1 : mission;
   snprintf(p->name, sizeof p->name, "%s", name);
 }
 
