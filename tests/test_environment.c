@@ -173,6 +173,7 @@ static void test_the_best_policy_of_the_spots_is_found(void) {
     set_up_aggregate(&spots, QTR_SPOT_BEST, NULL);
     if (aggregate.targets > 5) continue;
     qtr_learner_config_default(&config);
+    config.ground_search = false;
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&learner, &ground, &aggregate, &config), case_note);
     while (qtr_learner_step(&learner) == QTR_LEARNING) {}
     qtr_learner_certificate(&learner, &certificate);

@@ -210,6 +210,13 @@ static void test_value_is_the_grounds_under_every_aggregation(void) {
   expect_ground_value("--learner paper --rule paper --episodes 300 --aggregate both --explore softmax:2:0.5:0.99");
 }
 
+/* Found on the ground: the best policy of these spots earns 8.16. */
+static void test_search_on_the_ground_goes_on_from_what_spots_give(void) {
+  run_tool(&result, "learn " MANY " --robots 4 --aggregate spots --episodes 1 --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  TEST_ASSERT_TRUE(json_value(result.out, "value") >= 8.355621 * (1.0 - 1e-3));
+}
+
 static void test_tuning_finds_what_loses_nothing_and_keeps_to_a_budget(void) {
   run_tool(&result, "tune small.txt --robots 2 --json");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
@@ -392,6 +399,7 @@ int main(void) {
   RUN_TEST(test_pictures_of_missions_and_tables);
   RUN_TEST(test_unreachable_places_are_named_or_left_out);
   RUN_TEST(test_value_is_the_grounds_under_every_aggregation);
+  RUN_TEST(test_search_on_the_ground_goes_on_from_what_spots_give);
   RUN_TEST(test_tuning_finds_what_loses_nothing_and_keeps_to_a_budget);
   RUN_TEST(test_a_table_for_any_start_answers_everywhere);
   RUN_TEST(test_a_table_for_any_progress_resumes_on_the_table);

@@ -9,6 +9,7 @@
 #include "json.h"
 #include "options.h"
 #include "outfile.h"
+#include "outputs.h"
 #include "quarter/status.h"
 #include "reader/file.h"
 
@@ -94,6 +95,7 @@ static int load(study *s, fault *why) {
   if (file_read(&bytes, path, FILE_TEXT_LIMIT, NULL, why) != 0) return -1;
   const int status = qtr_belief_load(&s->belief, bytes.data, (uint32_t)bytes.size);
   file_free(&bytes);
+  if (s->o->history != NULL) file_forget(path); /* the new one takes its place */
   if (status != QTR_OK) return file_fault(why, path, 0, 0, "%s", fault_of(status));
   if (s->belief.about != mark_of(&s->in.mission) || s->belief.places != s->in.mission.places)
     return file_fault(why, path, 0, 0,
@@ -260,25 +262,6 @@ static int write_all(const study *s, fault *why) {
 
 /* ---- the command ---- */
 
-static bool is_same(const char *a, const char *b) {
-  return a != NULL && b != NULL && strcmp(a, b) == 0;
-}
-
-/* That nothing is written over what is read, or over one another. */
-static int check_names(const options *o, fault *why) {
-  const char *outputs[] = {o->output, o->json ? (o->json_path != NULL ? o->json_path : "-") : NULL, o->belief};
-  static const char *const words[] = {"--output", "--json", "--belief"};
-  if (is_same(o->belief, "-")) return fault_set(why, "--belief -: a saved belief is read and written; name a file");
-  for (int i = 0; i < 3; i++) {
-    if (is_same(outputs[i], o->history) || is_same(outputs[i], o->input))
-      return fault_set(why, "%s %s: is what is read; name another file", words[i], outputs[i]);
-    for (int other = 0; other < i; other++)
-      if (is_same(outputs[i], outputs[other]))
-        return fault_set(why, "%s %s: is where %s goes; name another file", words[i], outputs[i], words[other]);
-  }
-  return 0;
-}
-
 int command_belief(int argc, char **argv) {
   static options o;
   fault why;
@@ -286,7 +269,11 @@ int command_belief(int argc, char **argv) {
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
   memset(&studied, 0, sizeof studied);
   studied.o = &o;
-  if (check_names(&o, &why) != 0 || learn(&studied, &why) != 0 || write_all(&studied, &why) != 0)
+  if (o.belief != NULL && strcmp(o.belief, "-") == 0) {
+    fault_set(&why, "--belief -: a saved belief is read and written; name a file");
+    return fault_exit(&why);
+  }
+  if (learn(&studied, &why) != 0 || outputs_check(&o, &why) != 0 || write_all(&studied, &why) != 0)
     return fault_exit(&why);
   return EXIT_SUCCESS;
 }

@@ -76,18 +76,6 @@ static const option_set set = {"learn",
 
 static study *learnt;
 
-/* Whether a file can be written there, found out before the search and not after it. */
-static int check_outputs(const options *o, fault *why) {
-  const char *paths[] = {o->output, o->c_output, o->json_path, o->curve};
-  for (int i = 0; i < 4; i++) {
-    outfile out;
-    if (paths[i] == NULL) continue;
-    if (outfile_open(&out, paths[i], why) != 0) return -1;
-    outfile_abort(&out);
-  }
-  return 0;
-}
-
 /* What ends the search after a step, or NULL if it goes on. */
 static const char *find_end(enum qtr_learning learning, const options *o, uint64_t episodes) {
   if (learning == QTR_CERTIFIED) return "certified";
@@ -167,7 +155,7 @@ static void count(report *r, const options *o) {
 static int learn(const options *o, report *r, fault *why) {
   stop_after(o->time_limit * (o->any_starts || o->any_cleared ? SEARCH_SHARE : 1.0));
   learnt = memory_take(sizeof *learnt, why);
-  if (learnt == NULL || check_outputs(o, why) != 0 || study_read(learnt, o, why) != 0) return -1;
+  if (learnt == NULL || study_read(learnt, o, why) != 0) return -1;
   const double begin = stop_seconds();
   if (study_begin(learnt, o, why) != 0) return -1;
   *r = (report){.command = "learn", .o = o, .p = &learnt->p};

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "count.h"
 #include "json.h"
+#include "outputs.h"
 #include "print.h"
 #include "quarter/status.h"
 #include "simulation.h"
@@ -33,7 +34,7 @@ static const char help[] =
     "the\n"
     "first visits earn (expected_time null if a place was left).\n"
     "\n"
-    "Exit status: 0 done; 2 bad input.\n";
+    "Exit status: 0 found, or all places visited; 2 bad input; 4 places were left unvisited and no target was found.\n";
 
 static const option_set set = {"simulate", " json quiet late lost target clear-all from clear "};
 
@@ -49,6 +50,12 @@ static bool was_visited(const simulation *s, const options *o, int place) {
   for (int i = 0; i < s->visits; i++)
     if (s->visit[i].place == place) return true;
   return false;
+}
+
+static int count_left(const account *a) {
+  int left = 0;
+  for (int place = 0; place < a->t.policy.board.places; place++) left += !was_visited(&a->s, a->o, place);
+  return left;
 }
 
 static void write_visits(json *j, const simulation *s, const table *t, const options *o) {
@@ -135,6 +142,13 @@ static int deploy(table *t, const options *o, fault *why) {
                    o->input);
 }
 
+/* The table is open. */
+static int simulate(account *a, fault *why) {
+  if (outputs_check(a->o, why) != 0 || deploy(&a->t, a->o, why) != 0) return -1;
+  if (simulation_run(&a->s, &a->t, a->o, why) != 0) return -1;
+  return print_report(a->o, write_json, write_text, a, why);
+}
+
 int command_simulate(int argc, char **argv) {
   static options o;
   static account a = {.o = &o};
@@ -142,9 +156,9 @@ int command_simulate(int argc, char **argv) {
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
   if (table_read(&a.t, o.input, &why) != 0) return fault_exit(&why);
-  int status = deploy(&a.t, &o, &why);
-  if (status == 0) status = simulation_run(&a.s, &a.t, &o, &why);
-  if (status == 0) status = print_report(&o, write_json, write_text, &a, &why);
+  const int status = simulate(&a, &why);
+  const bool left = a.s.found_step == QTR_NEVER && count_left(&a) > 0;
   table_free(&a.t);
-  return status == 0 ? EXIT_SUCCESS : fault_exit(&why);
+  if (status != 0) return fault_exit(&why);
+  return left ? EXIT_UNVISITED : EXIT_SUCCESS;
 }

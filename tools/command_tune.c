@@ -198,7 +198,9 @@ static int learn_all(const options *o, fault *why) {
 static int tune(const options *o, fault *why) {
   stop_after(o->time_limit);
   tuned = memory_take(sizeof *tuned, why);
-  if (tuned == NULL || study_read(tuned, o, why) != 0) return -1;
+  if (tuned == NULL) return -1;
+  tuned->measuring = true;
+  if (study_read(tuned, o, why) != 0) return -1;
   add_tries(o);
   if (prove(o, why) != 0 || learn_all(o, why) != 0) return -1;
   share_bound();

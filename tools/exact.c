@@ -98,6 +98,25 @@ static void count_negligible(exact_solution *solution, const exact_problem *prob
   }
 }
 
+/* One seeker has nobody to give way to: both rules are the same game. */
+static bool by_paper_rule(const qtr_mission *mission) {
+  return mission->rule == QTR_RULE_PAPER && mission->seekers > 1;
+}
+
+int exact_check(const qtr_mission *mission, fault *why) {
+  const int most = mission->seekers <= 2 ? EXACT_PAIR_PLACES : EXACT_GROUP_PLACES;
+  if (by_paper_rule(mission) && mission->places > EXACT_PAPER_PLACES)
+    return fault_set(why,
+                     "exact: %d places are too many under the paper's rule: it takes %d; use `quarter learn`, or "
+                     "--rule free",
+                     mission->places, EXACT_PAPER_PLACES);
+  if (by_paper_rule(mission) || mission->places <= most) return 0;
+  return fault_set(why,
+                   "exact: %d places for %d seekers are too many: it takes %d places for 1 or 2 seekers, %d for more; "
+                   "use `quarter learn`, which certifies its result too",
+                   mission->places, mission->seekers, EXACT_PAIR_PLACES, EXACT_GROUP_PLACES);
+}
+
 int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_steps *steps, fault *why) {
   exact_problem problem = {.places = mission->places,
                            .seekers = mission->seekers,
@@ -105,12 +124,12 @@ int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_
                            .gamma = mission->gamma,
                            .steps = steps};
   memset(solution, 0, sizeof *solution);
+  if (exact_check(mission, why) != 0) return -1;
   name_starts(&problem, mission);
   normalise(&problem, mission);
   if (check_places(&problem, why) != 0 || check_steps(&problem, why) != 0) return -1;
-  /* One seeker has nobody to give way to: both rules are the same game. */
-  const bool paper = mission->rule == QTR_RULE_PAPER && problem.seekers > 1;
-  const int status = paper ? exact_solve_paper(solution, &problem, why) : exact_solve_free(solution, &problem, why);
+  const int status =
+      by_paper_rule(mission) ? exact_solve_paper(solution, &problem, why) : exact_solve_free(solution, &problem, why);
   if (status != 0) return status;
   evaluate(solution, &problem);
   count_negligible(solution, &problem);

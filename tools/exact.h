@@ -16,6 +16,9 @@ typedef struct {
   qtr_steps step[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* when */
 } exact_solution;
 
+/* Whether the mission is small enough to be solved: 0, or -1 with *fault set. */
+int exact_check(const qtr_mission *mission, fault *fault);
+
 /* Solve for the mission's objective and rule. Under the paper's rule a seeker may arrive at a place that another has
  * visited meanwhile: routes list first visits only. `steps` is (seekers + places) x places travel times, row i < seekers
  * from seeker i's start, row seekers + p from place p; QTR_NEVER where there is no way. 0, or -1 with *fault set: too

@@ -13,7 +13,7 @@
 
 #include "exact_parts.h"
 
-enum { PAIR_PLACES = 22, GROUP_PLACES = 18, NODES = PAIR_PLACES + QTR_MAX_SEEKERS, GROUPS = 4 * QTR_MAX_SEEKERS };
+enum { PAIR_PLACES = EXACT_PAIR_PLACES, NODES = PAIR_PLACES + QTR_MAX_SEEKERS, GROUPS = 4 * QTR_MAX_SEEKERS };
 
 /* A visit of place q from node n while S is still to be visited is worth
  * gain[q][n] + keep[q][n] * (what follows at q) - delay[q][n] * (likelihood of S). */
@@ -201,12 +201,6 @@ static int solve(subset_solver *solver, fault *why) {
 }
 
 int exact_solve_free(exact_solution *solution, const exact_problem *problem, fault *why) {
-  const int most = problem->seekers <= 2 ? PAIR_PLACES : GROUP_PLACES;
-  if (problem->places > most)
-    return fault_set(why,
-                     "exact: %d places for %d seekers are too many: it takes %d places for 1 or 2 seekers, %d "
-                     "for more; use `quarter learn`, which certifies its result too",
-                     problem->places, problem->seekers, PAIR_PLACES, GROUP_PLACES);
   subset_solver *solver = calloc(1, sizeof *solver);
   int status = -1;
   if (solver != NULL) {

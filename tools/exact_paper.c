@@ -14,7 +14,7 @@
 
 #include "exact_parts.h"
 
-enum { PAPER_PLACES = 20, KEY_WORDS = 1 + QTR_MAX_SEEKERS, OUT = 0xFFFF };
+enum { PAPER_PLACES = EXACT_PAPER_PLACES, KEY_WORDS = 1 + QTR_MAX_SEEKERS, OUT = 0xFFFF };
 static const size_t state_limit = 6000000; /* some 20 s, some 300 MB */
 
 typedef struct {
@@ -276,11 +276,6 @@ static int search(joint_game *game, exact_solution *solution, fault *why) {
 
 int exact_solve_paper(exact_solution *solution, const exact_problem *problem, fault *why) {
   joint_game game = {.problem = problem, .slots = 1024};
-  if (problem->places > PAPER_PLACES)
-    return fault_set(why,
-                     "exact: %d places are too many under the paper's rule: it takes %d; use `quarter learn`, or "
-                     "--rule free",
-                     problem->places, PAPER_PLACES);
   game.table = calloc(game.slots * slot_words(&game), sizeof *game.table);
   if (game.table == NULL) return fault_set(why, "exact: out of memory; use `quarter learn`");
   const int status = search(&game, solution, why);

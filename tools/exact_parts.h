@@ -6,6 +6,9 @@
 
 #include "exact.h"
 
+/* Places that the solvers take: for one or two seekers, for more, and under the paper's rule. */
+enum { EXACT_PAIR_PLACES = 22, EXACT_GROUP_PLACES = 18, EXACT_PAPER_PLACES = 20 };
+
 typedef struct {
   int places, seekers, starts; /* starts: distinct start cells, numbered as the seekers first name them */
   int start_of[QTR_MAX_SEEKERS];

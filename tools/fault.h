@@ -5,7 +5,8 @@
 /* Exit statuses of `quarter`. */
 enum {
   EXIT_BAD_INPUT = 2,
-  EXIT_STOPPED = 3 /* by a time limit or a signal, before there was anything to write */
+  EXIT_STOPPED = 3,  /* by a time limit or a signal, before there was anything to write */
+  EXIT_UNVISITED = 4 /* simulated, and places were left although nothing was found */
 };
 
 typedef struct {

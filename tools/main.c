@@ -1,6 +1,11 @@
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "commands.h"
 #include "fault.h"
@@ -28,7 +33,23 @@ static const struct {
                 {"inspect", command_inspect}, {"draw", command_draw},   {"tune", command_tune},
                 {"belief", command_belief}};
 
-int main(int argc, char **argv) {
+/* Whatever a command said, it counts as said only once it has got through. */
+static int finish(int status) {
+  const bool failed = fflush(stdout) != 0 || ferror(stdout) != 0;
+  if (!failed || (status != EXIT_SUCCESS && status < 128)) return status;
+  fprintf(stderr, "quarter: standard output: cannot write: %s; send it elsewhere\n", strerror(errno));
+  return EXIT_BAD_INPUT;
+}
+
+/* A closed descriptor would become that of the first file opened, and what is meant for it would end up there. */
+static void hold_descriptors(void) {
+  int descriptor;
+  do descriptor = open("/dev/null", O_RDONLY);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+  if (descriptor >= 0) close(descriptor);
+}
+
+static int run(int argc, char **argv) {
   const char *word = argc > 1 ? argv[1] : "--help";
   if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0) {
     fputs(help, argc > 1 ? stdout : stderr);
@@ -42,4 +63,10 @@ int main(int argc, char **argv) {
     if (strcmp(word, commands[i].name) == 0) return commands[i].run(argc - 1, argv + 1);
   fprintf(stderr, "quarter: there is no command '%s'; 'quarter --help' lists them\n", word);
   return EXIT_BAD_INPUT;
+}
+
+int main(int argc, char **argv) {
+  hold_descriptors();
+  signal(SIGPIPE, SIG_IGN); /* a reader that has gone is an error like any other */
+  return finish(run(argc, argv));
 }

@@ -3,11 +3,12 @@
 #include "outfile.h"
 
 #include <errno.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "reader/file.h"
 
 static const char *mend_of(int error) {
   switch (error) {
@@ -53,6 +54,14 @@ static bool find_target(outfile *out) {
   return true;
 }
 
+/* That of the file to be replaced, or of any new file. */
+static mode_t mode_of(const outfile *out) {
+  struct stat about;
+  const mode_t mask = umask(0);
+  umask(mask);
+  return stat(out->target, &about) == 0 ? about.st_mode & 0777 : 0666 & ~mask;
+}
+
 static int open_temporary(outfile *out, fault *why) {
   const int length = snprintf(out->temporary, sizeof out->temporary, "%s.XXXXXX", out->target);
   if (out->target[0] == '\0' || length < 0 || (size_t)length >= sizeof out->temporary) {
@@ -64,9 +73,7 @@ static int open_temporary(outfile *out, fault *why) {
     out->temporary[0] = '\0';
     return cannot_write(out, errno, why);
   }
-  const mode_t mask = umask(0);
-  umask(mask);
-  fchmod(descriptor, 0666 & ~mask);
+  fchmod(descriptor, mode_of(out));
   out->file = fdopen(descriptor, "w");
   if (out->file != NULL) return 0;
   const int error = errno;
@@ -80,9 +87,46 @@ int outfile_open(outfile *out, const char *path, fault *why) {
   *out = (outfile){NULL, path, "", ""};
   if (strcmp(path, "-") == 0 || is_device_name(path)) return open_directly(out, why);
   const bool exists = stat(path, &about) == 0;
+  if (file_was_read(path)) return fault_set(why, "%s: is what is read; name another file", path);
   if (exists && S_ISDIR(about.st_mode)) return cannot_write(out, EISDIR, why);
   if ((exists && !S_ISREG(about.st_mode)) || !find_target(out)) return open_directly(out, why);
   return open_temporary(out, why);
+}
+
+/* The folder of a name that is not there yet, without links. NULL: none. */
+static char *folder_of(const char *path) {
+  char folder[OUTFILE_PATH_SIZE];
+  const char *slash = strrchr(path, '/');
+  if (slash == NULL) return realpath(".", NULL);
+  if (strlen(path) >= sizeof folder) return NULL;
+  memcpy(folder, path, (size_t)(slash - path) + 1);
+  folder[slash - path + 1] = '\0';
+  return realpath(folder, NULL);
+}
+
+static const char *name_in_folder(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash != NULL ? slash + 1 : path;
+}
+
+static bool is_same_to_be(const char *a, const char *b) {
+  char *first = folder_of(a), *second = folder_of(b);
+  const bool same = first != NULL && second != NULL && strcmp(first, second) == 0 &&
+                    strcmp(name_in_folder(a), name_in_folder(b)) == 0;
+  free(first);
+  free(second);
+  return same;
+}
+
+bool outfile_is_same(const char *a, const char *b) {
+  struct stat x, y;
+  const bool standard = strcmp(a, "-") == 0 || strcmp(b, "-") == 0;
+  if (strcmp(a, b) == 0) return strncmp(a, "/dev/null", 10) != 0;
+  if (standard) return false;
+  const bool there = stat(a, &x) == 0;
+  if ((stat(b, &y) == 0) != there) return false;
+  if (there) return S_ISREG(x.st_mode) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
+  return is_same_to_be(a, b);
 }
 
 /* Flush and close. The first error counts: a full disk may show at any of these. */

@@ -2,6 +2,7 @@
 #ifndef QUARTER_TOOLS_OUTFILE_H
 #define QUARTER_TOOLS_OUTFILE_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "fault.h"
@@ -15,7 +16,8 @@ typedef struct {
   char temporary[OUTFILE_PATH_SIZE]; /* empty: written directly, as a device, a pipe or standard output is */
 } outfile;
 
-/* Begin a file. `path` must last until the end. 0, or -1 with *why set and nothing left behind. */
+/* Begin a file. `path` must last until the end. A file that the process has read is refused; one that is replaced keeps its
+ * permissions. 0, or -1 with *why set and nothing left behind. */
 int outfile_open(outfile *out, const char *path, fault *why);
 
 /* Finish it: all written, on the disk, under its name. 0, or -1 with *why set and nothing left behind. */
@@ -23,5 +25,8 @@ int outfile_commit(outfile *out, fault *why);
 
 /* Give it up: nothing is left behind. */
 void outfile_abort(outfile *out);
+
+/* Whether two names lead to one file, there already or not. */
+bool outfile_is_same(const char *a, const char *b);
 
 #endif

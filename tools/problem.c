@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "outputs.h"
 #include "quarter/status.h"
 #include "stop.h"
 
@@ -90,12 +91,16 @@ static int fault_discount(const problem *p, int place, const options *o, fault *
                    o->input, p->in.mission.gamma, name, nearest, mild_gamma(nearest));
 }
 
-int problem_read(problem *p, const options *o, fault *why) {
+int problem_load(problem *p, const options *o, fault *why) {
   const input_options reading = {o->cell_size, o->robots};
   if (input_read(&p->in, o->input, &reading, why) != 0) return -1;
   override(&p->in.mission, o);
   set_frame(&p->in.mission, &p->in.frame);
   p->in.mission.watch = stop_watch();
+  return outputs_check(o, why);
+}
+
+int problem_measure(problem *p, const options *o, fault *why) {
   const double begin = stop_seconds();
   int culprit;
   int status = qtr_mission_check(&p->in.mission, &culprit);
@@ -111,6 +116,10 @@ int problem_read(problem *p, const options *o, fault *why) {
     return stop_fault(why, o->input, "a first plan",
                       begin + p->travel_seconds * p->in.mission.places / p->game.measured);
   return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));
+}
+
+int problem_read(problem *p, const options *o, fault *why) {
+  return problem_load(p, o, why) == 0 ? problem_measure(p, o, why) : -1;
 }
 
 uint32_t problem_free_cells(const problem *p) {

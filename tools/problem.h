@@ -19,6 +19,10 @@ typedef struct {
  * left out with a warning on standard error under --skip-unreachable. 0, or -1 with *why set. */
 int problem_read(problem *p, const options *o, fault *why);
 
+/* Its two halves: all but the travel times, with the outputs' names looked at; and those. */
+int problem_load(problem *p, const options *o, fault *why);
+int problem_measure(problem *p, const options *o, fault *why);
+
 /* Free cells of the map. */
 uint32_t problem_free_cells(const problem *p);
 

@@ -51,6 +51,7 @@ int study_begin(study *s, const options *o, fault *why) {
   qtr_learner_config config;
   qtr_learner_config_default(&config);
   config.gap = o->gap;
+  config.ground_search = !s->measuring;
   config.seed = o->seed;
   config.setting = (uint8_t)o->setting;
   config.exploration = o->exploration;

@@ -15,6 +15,7 @@ typedef struct {
   qtr_environment ground, aggregate;
   qtr_regions regions;
   qtr_regions_scratch regions_scratch;
+  bool measuring;  /* an aggregate's own best policy is asked for, without search on the ground beside it */
   bool aggregated; /* it is learnt on the aggregate: one was asked for, and made before a stop */
   qtr_learner learner;
 } study;

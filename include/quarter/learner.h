@@ -43,9 +43,11 @@ typedef struct {
   uint8_t setting; /* enum qtr_setting */
   double alpha;    /* paper setting: learning rate, above 0 up to 1; 1 is right where the model is deterministic */
   qtr_exploration_plan exploration; /* paper setting */
+  bool ground_search; /* certified, on an aggregate: local search goes on from its plays on the ground, so that the best
+                         game is often better than any that the aggregate allows. False: the aggregate's own best */
 } qtr_learner_config;
 
-/* Gap 1e-5, seed 1, certified; alpha 1 and epsilon-greedy for the paper setting. */
+/* Gap 1e-5, seed 1, certified, with search on the ground; alpha 1 and epsilon-greedy for the paper setting. */
 void qtr_learner_config_default(qtr_learner_config *config);
 
 enum qtr_learning {

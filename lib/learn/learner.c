@@ -14,6 +14,7 @@ void qtr_learner_config_default(qtr_learner_config *config) {
   config->seed = 1;
   config->setting = QTR_SETTING_CERTIFIED;
   config->alpha = 1.0;
+  config->ground_search = true;
   qtr_exploration_default(&config->exploration);
 }
 
@@ -27,6 +28,11 @@ static bool may_go_on(const qtr_learner *learner) {
 
 static bool is_aggregate(const qtr_learner *learner) {
   return learner->environment != learner->ground;
+}
+
+/* Whether the result is to be what the setting learns, and nothing found beside it. */
+static bool learns_alone(const qtr_learner *learner) {
+  return is_paper(learner) || (is_aggregate(learner) && !learner->config.ground_search);
 }
 
 /* ---- first difference of the settings: what Q is before it is learnt ---- */
@@ -241,10 +247,10 @@ static void play_greedily(qtr_learner *learner) {
 
 /* ---- local search on the best game ---- */
 
-/* Not on an aggregate, whose own best policy is sought; nor under the paper's rule, where routes alone do not make a game:
- * who must choose when depends on the others. */
+/* Not where the setting's own best policy is sought; nor under the paper's rule, where routes alone do not make a game: who
+ * must choose when depends on the others. */
 static void refine_best(qtr_learner *learner, unsigned rounds) {
-  if (is_aggregate(learner) || learner->game->board.rule != QTR_RULE_FREE) return;
+  if (learns_alone(learner) || learner->game->board.rule != QTR_RULE_FREE) return;
   qtr_play_to_routes(&learner->best, learner->game, &learner->routes);
   qtr_refine(&learner->refinery, &learner->routes, learner->game, rounds, learner->config.seed + learner->episodes);
   qtr_play_routes(&learner->play, learner->game, &learner->routes);
@@ -291,7 +297,7 @@ static void play_aggregate_by_rate(qtr_learner *learner) {
 static void play_first(qtr_learner *learner) {
   qtr_play_by_rate(&learner->best, learner->game);
   if (is_aggregate(learner)) play_aggregate_by_rate(learner);
-  if (is_paper(learner) || is_aggregate(learner)) return;
+  if (learns_alone(learner)) return;
   learner->episodes = 1;
   refine_best(learner, FIRST_ROUNDS);
 }
@@ -368,7 +374,7 @@ static enum qtr_learning step_paper(qtr_learner *learner) {
 }
 
 enum qtr_learning qtr_learner_step(qtr_learner *learner) {
-  const bool alone = is_paper(learner) || is_aggregate(learner);
+  const bool alone = learns_alone(learner);
   if (learner->pricing) {
     if (!alone && is_certified(learner)) return QTR_CERTIFIED;
     tune_prices(learner);

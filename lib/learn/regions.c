@@ -1,7 +1,6 @@
 #include "quarter/regions.h"
 
 #include <float.h>
-#include <stdbool.h>
 #include <string.h>
 
 #define WINDOW_SHARE 2 /* times max_size: the cells that a region may choose from while it grows */

@@ -2,6 +2,7 @@
 #include "play.h"
 
 void setUp(void) {
+  file_forget("own.qtr"); /* each test is a process of its own to the tool */
   snprintf(case_note, sizeof case_note, "by hand");
 }
 

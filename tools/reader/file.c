@@ -11,6 +11,14 @@
 #include <unistd.h>
 
 #define SHOWN_PATH 400
+#define READ_MOST 64
+
+/* What has been read, so that nothing is written over it. */
+static struct {
+  dev_t device;
+  ino_t number;
+} read_files[READ_MOST];
+static int read_count;
 
 const char *file_short_path(const char *path) {
   size_t length = strlen(path);
@@ -78,6 +86,32 @@ static int open_fault(fault *why, const char *path, const char *named_by) {
   }
 }
 
+static int find_read(const struct stat *status) {
+  int i = 0;
+  while (i < read_count && (read_files[i].device != status->st_dev || read_files[i].number != status->st_ino)) i++;
+  return i;
+}
+
+static void note_read(const struct stat *status) {
+  const int i = find_read(status);
+  if (i == READ_MOST) return;
+  read_files[i].device = status->st_dev;
+  read_files[i].number = status->st_ino;
+  if (i == read_count) read_count++;
+}
+
+bool file_was_read(const char *path) {
+  struct stat status;
+  return stat(path, &status) == 0 && find_read(&status) < read_count;
+}
+
+void file_forget(const char *path) {
+  struct stat status;
+  if (stat(path, &status) != 0) return;
+  const int i = find_read(&status);
+  if (i < read_count) read_files[i] = read_files[--read_count];
+}
+
 /* The size that the system states may be wrong either way: of a file that grows, or of one under /proc. */
 static int read_open(int descriptor, file_bytes *bytes, const char *path, size_t limit, const char *named_by,
                      fault *why) {
@@ -89,6 +123,7 @@ static int read_open(int descriptor, file_bytes *bytes, const char *path, size_t
   if (!read_all(descriptor, bytes, limit)) return no_file(why, path, named_by, strerror(errno));
   if (bytes->size > limit) return too_large(why, path, limit);
   if (bytes->size == 0) return no_file(why, path, named_by, "is empty; check that it was written or copied whole");
+  note_read(&status);
   return 0;
 }
 

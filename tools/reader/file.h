@@ -2,6 +2,7 @@
 #ifndef QUARTER_READER_FILE_H
 #define QUARTER_READER_FILE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "fault.h"
@@ -19,6 +20,12 @@ typedef struct {
 int file_read(file_bytes *bytes, const char *path, size_t limit, const char *named_by, fault *why);
 
 void file_free(file_bytes *bytes);
+
+/* Whether the path leads to a file that this process has read, under whatever name. */
+bool file_was_read(const char *path);
+
+/* Count it as not read: it is to be replaced. */
+void file_forget(const char *path);
 
 /* `name` as seen from the folder of the file `beside`, into out[size]. -1 with *fault set if it does not fit. */
 int file_path_beside(char *out, size_t size, const char *beside, const char *name, fault *why);

@@ -1,0 +1,224 @@
+/* The command line as an attacker and an accident would have it: small memory, full disks, closed outputs, outputs that are
+ * inputs under another name, inputs that are no files. */
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tool_run.h"
+
+static tool_result result;
+
+void setUp(void) {
+  write_file("area.txt", "S...\n#1.3\n...#\n1...\n");
+  write_file("place.csv", "x,y,weight\n2.5,2.5,1\n");
+  write_file("area.yaml", "map: area.txt\nrobots: [{column: 0, row: 0}]\nplaces_csv: place.csv\n");
+  unlink("t.qtr");
+  unlink("link.qtr");
+}
+
+void tearDown(void) {
+}
+
+/* Run a shell line in which $Q is the tool. */
+static void run_shell(const char *line) {
+  char command[4096];
+  snprintf(command, sizeof command, "Q='%s'; { %s; } 2>err.txt", QUARTER_TOOL, line);
+  const int status = system(command);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  read_text("err.txt", result.err, sizeof result.err);
+}
+
+static void expect_one_line(int status, const char *word, const char *note) {
+  TEST_ASSERT_EQUAL_INT_MESSAGE(status, result.status, note);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(result.err, word), result.err);
+  TEST_ASSERT_EQUAL_PTR_MESSAGE(result.err + strlen(result.err) - 1, strchr(result.err, '\n'), result.err);
+}
+
+/* ---- memory ---- */
+
+static void test_what_needs_no_memory_runs_in_50_megabytes(void) {
+  static const char *const lines[] = {"--version",     "--help",        "learn --help", "tune --help",
+                                      "draw --help",   "belief --help", "exact --help", "exact area.txt",
+                                      "inspect t.qtr", "simulate t.qtr"};
+  run_tool(&result, "learn area.txt -q -o t.qtr");
+  for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+    char line[200];
+    snprintf(line, sizeof line, "ulimit -v 51200; $Q %s >out.txt", lines[i]);
+    run_shell(line);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, lines[i]);
+  }
+}
+
+static void test_memory_that_is_not_to_be_had_is_said(void) {
+  static const char *const lines[] = {"learn area.txt -o t.qtr", "tune area.txt"};
+  for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+    char line[200];
+    snprintf(line, sizeof line, "ulimit -v 51200; $Q %s", lines[i]);
+    run_shell(line);
+    expect_one_line(2, "no memory", lines[i]);
+  }
+  TEST_ASSERT_EQUAL_INT(-1, access("t.qtr", F_OK));
+}
+
+/* ---- standard output ---- */
+
+static void test_nothing_that_was_not_said_counts_as_said(void) {
+  static const char *const lines[] = {"--help",
+                                      "--version",
+                                      "learn --help",
+                                      "exact --help",
+                                      "simulate --help",
+                                      "inspect --help",
+                                      "draw --help",
+                                      "tune --help",
+                                      "belief --help",
+                                      "learn area.txt",
+                                      "exact area.txt",
+                                      "inspect t.qtr",
+                                      "simulate t.qtr",
+                                      "tune area.txt",
+                                      "learn area.txt --json",
+                                      "learn area.txt -o -",
+                                      "draw area.txt -o -",
+                                      "belief area.txt --history games.csv"};
+  run_tool(&result, "learn area.txt -q -o t.qtr");
+  write_file("games.csv", "place\n1\n");
+  for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+    char line[200];
+    snprintf(line, sizeof line, "$Q %s >/dev/full", lines[i]);
+    run_shell(line);
+    expect_one_line(2, "cannot write", lines[i]);
+    snprintf(line, sizeof line, "$Q %s >&-", lines[i]);
+    run_shell(line);
+    expect_one_line(2, "cannot write", lines[i]);
+  }
+}
+
+/* What is closed is not taken for the first file opened. */
+static void test_a_report_never_ends_up_in_a_table(void) {
+  run_shell("$Q learn area.txt -o t.qtr >&-");
+  TEST_ASSERT_EQUAL_INT(2, result.status);
+  run_tool(&result, "inspect t.qtr");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  run_shell("$Q learn area.txt -o - >t.qtr");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  run_tool(&result, "inspect t.qtr");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+}
+
+/* ---- outputs ---- */
+
+static void expect_refused(const char *words, const char *reason) {
+  run_tool(&result, "%s", words);
+  TEST_ASSERT_EQUAL_STRING_MESSAGE("", result.out, words);
+  expect_one_line(2, reason, words);
+}
+
+static void test_no_input_is_written_over_under_any_name(void) {
+  static const char *const inputs[] = {"area.yaml", "area.txt", "place.csv"};
+  for (int i = 0; i < 3; i++) {
+    char before[400], after[400], words[200];
+    read_text(inputs[i], before, sizeof before);
+    unlink("soft");
+    unlink("hard");
+    TEST_ASSERT_EQUAL_INT(0, symlink(inputs[i], "soft"));
+    TEST_ASSERT_EQUAL_INT(0, link(inputs[i], "hard"));
+    const char *const names[] = {inputs[i], "soft", "hard"};
+    for (int j = 0; j < 3; j++) {
+      static const char *const options[] = {
+          "learn area.yaml -o ",     "learn area.yaml --c ",   "learn area.yaml --curve ", "learn area.yaml --json=",
+          "exact area.yaml --json=", "tune area.yaml --json=", "draw area.yaml -o "};
+      for (size_t k = 0; k < sizeof options / sizeof options[0]; k++) {
+        snprintf(words, sizeof words, "%s%s", options[k], names[j]);
+        expect_refused(words, "is what is read");
+      }
+    }
+    read_text(inputs[i], after, sizeof after);
+    TEST_ASSERT_EQUAL_STRING(before, after);
+  }
+  run_tool(&result, "learn area.txt -q -o t.qtr");
+  expect_refused("inspect t.qtr --json=./t.qtr", "is what is read");
+  expect_refused("simulate t.qtr --json=t.qtr", "is what is read");
+  expect_refused("draw t.qtr -o t.qtr", "is what is read");
+}
+
+static void test_no_two_outputs_are_one_file(void) {
+  char words[4096 + 200], folder[4096];
+  expect_refused("learn area.txt -o a.out --c a.out", "--c a.out: is where --output goes");
+  expect_refused("learn area.txt -o a.out --json=./a.out", "is where --output goes");
+  expect_refused("learn area.txt -o - --json", "is where --output goes");
+  TEST_ASSERT_NOT_NULL(getcwd(folder, sizeof folder));
+  snprintf(words, sizeof words, "learn area.txt --curve '%s/a.out' -o a.out", folder);
+  expect_refused(words, "is where --output goes");
+  write_file("t.qtr", "old");
+  TEST_ASSERT_EQUAL_INT(0, symlink("t.qtr", "link.qtr"));
+  expect_refused("draw area.txt -o t.qtr --json=link.qtr", "is where --output goes");
+  TEST_ASSERT_EQUAL_INT(-1, access("a.out", F_OK));
+}
+
+static void test_a_file_that_is_replaced_keeps_its_mode_and_its_link(void) {
+  struct stat about;
+  write_file("t.qtr", "old");
+  TEST_ASSERT_EQUAL_INT(0, chmod("t.qtr", 0640));
+  TEST_ASSERT_EQUAL_INT(0, symlink("t.qtr", "link.qtr"));
+  run_tool(&result, "learn area.txt -q -o link.qtr");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
+  TEST_ASSERT_EQUAL_INT(0, lstat("link.qtr", &about));
+  TEST_ASSERT_TRUE(S_ISLNK(about.st_mode));
+  TEST_ASSERT_EQUAL_INT(0, stat("t.qtr", &about));
+  TEST_ASSERT_EQUAL_INT(0640, about.st_mode & 0777);
+  run_tool(&result, "inspect t.qtr");
+  TEST_ASSERT_EQUAL_INT(0, result.status);
+}
+
+/* ---- inputs that are no files ---- */
+
+static void test_pipes_folders_and_devices_are_no_inputs(void) {
+  static const char *const commands[] = {"learn", "exact", "draw -o x.svg", "tune", "inspect", "simulate", "belief"};
+  static const char *const inputs[] = {"pipe", ".", "/dev/null", "nowhere", "''"};
+  unlink("pipe");
+  TEST_ASSERT_EQUAL_INT(0, mkfifo("pipe", 0600));
+  for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+    for (size_t j = 0; j < sizeof inputs / sizeof inputs[0]; j++) {
+      char words[200];
+      snprintf(words, sizeof words, "%s %s", commands[i], inputs[j]);
+      expect_refused(words, inputs[j][0] == '\'' ? "empty" : inputs[j]);
+    }
+  }
+}
+
+/* ---- exit statuses ---- */
+
+static void test_places_left_unvisited_have_a_status_of_their_own(void) {
+  run_tool(&result, "learn area.txt -q -o t.qtr");
+  run_tool(&result, "simulate t.qtr -q");
+  TEST_ASSERT_EQUAL_INT(0, result.status);
+  run_tool(&result, "simulate t.qtr -q --lost 0@0");
+  TEST_ASSERT_EQUAL_INT(4, result.status);
+  run_tool(&result, "simulate t.qtr -q --target 1");
+  TEST_ASSERT_EQUAL_INT(0, result.status);
+  run_tool(&result, "simulate t.qtr -q --target 1 --lost 0@0");
+  TEST_ASSERT_EQUAL_INT(4, result.status);
+}
+
+/* Told by the number of places, and not by the work: the drawing's map is cut in two, which only the work finds out. */
+static void test_too_many_places_for_the_exact_solver_are_refused_before_any_work(void) {
+  write_file("many.txt", "S#1111111111\n##1111111111\n.#1111111111\n");
+  expect_refused("exact many.txt", "30 places");
+  expect_refused("exact many.txt --robots 2 --rule paper", "30 places");
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_what_needs_no_memory_runs_in_50_megabytes);
+  RUN_TEST(test_memory_that_is_not_to_be_had_is_said);
+  RUN_TEST(test_nothing_that_was_not_said_counts_as_said);
+  RUN_TEST(test_a_report_never_ends_up_in_a_table);
+  RUN_TEST(test_no_input_is_written_over_under_any_name);
+  RUN_TEST(test_no_two_outputs_are_one_file);
+  RUN_TEST(test_a_file_that_is_replaced_keeps_its_mode_and_its_link);
+  RUN_TEST(test_pipes_folders_and_devices_are_no_inputs);
+  RUN_TEST(test_places_left_unvisited_have_a_status_of_their_own);
+  RUN_TEST(test_too_many_places_for_the_exact_solver_are_refused_before_any_work);
+  return UNITY_END();
+}

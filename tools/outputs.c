@@ -1,0 +1,57 @@
+#include "outputs.h"
+
+#include <string.h>
+#include <sys/stat.h>
+
+#include "outfile.h"
+
+enum { OUTPUTS = 5 };
+
+typedef struct {
+  const char *word;
+  const char *path; /* NULL: not asked for */
+} output;
+
+static void list(output *outputs, const options *o) {
+  const char *json = !o->json ? NULL : o->json_path != NULL ? o->json_path : "-";
+  const output all[OUTPUTS] = {{"--output", o->output},
+                               {"--c", o->c_output},
+                               {"--curve", o->curve},
+                               {"--belief", o->history != NULL ? o->belief : NULL},
+                               {"--json", json}};
+  memcpy(outputs, all, sizeof all);
+}
+
+static int check_pair(const output *first, const output *second, fault *why) {
+  if (first->path == NULL || second->path == NULL || !outfile_is_same(first->path, second->path)) return 0;
+  return fault_set(why, "%s %s: is where %s goes; name another file", second->word, second->path, first->word);
+}
+
+/* A pipe that somebody reads is not opened for a trial: its reader would take that for the end. */
+static int try_out(const char *path, fault *why) {
+  struct stat about;
+  outfile out;
+  if (path == NULL || (stat(path, &about) == 0 && S_ISFIFO(about.st_mode))) return 0;
+  if (outfile_open(&out, path, why) != 0) return -1;
+  outfile_abort(&out);
+  return 0;
+}
+
+int outputs_check(const options *o, fault *why) {
+  output outputs[OUTPUTS];
+  list(outputs, o);
+  for (int i = 0; i < OUTPUTS; i++) {
+    for (int j = 0; j < i; j++)
+      if (check_pair(&outputs[j], &outputs[i], why) != 0) return -1;
+    if (try_out(outputs[i].path, why) != 0) return -1;
+  }
+  return 0;
+}
+
+static bool is_stdout(const char *path) {
+  return path != NULL && (strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0);
+}
+
+bool outputs_take_stdout(const options *o) {
+  return is_stdout(o->output) || is_stdout(o->c_output) || is_stdout(o->curve);
+}
