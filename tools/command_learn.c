@@ -153,9 +153,10 @@ static void count(report *r, const options *o) {
 }
 
 static int learn(const options *o, report *r, fault *why) {
-  stop_after(o->time_limit * (o->any_starts || o->any_cleared ? SEARCH_SHARE : 1.0));
+  stop_after(o->time_limit);
   learnt = memory_take(sizeof *learnt, why);
   if (learnt == NULL || study_read(learnt, o, why) != 0) return -1;
+  stop_after(o->time_limit * (o->any_starts || o->any_cleared ? SEARCH_SHARE : 1.0));
   const double begin = stop_seconds();
   if (study_begin(learnt, o, why) != 0) return -1;
   *r = (report){.command = "learn", .o = o, .p = &learnt->p};
