@@ -1,5 +1,6 @@
-/* The learner: the Q-learning unit and its action strategies (paper, Fig. 3.1, 5.1), in two settings that differ in the
- * value that Q starts from, the action strategy and the order of the backups, and in nothing else.
+/* The learner: the Q-learning unit and its action strategies (paper, Fig. 3.1, 5.1), in two settings. They share
+ * the game, the keys and the Q-table, and differ in the value that Q starts from, the action strategy, the backup with its
+ * order, and in when they end; the certified one also searches for its first game.
  *
  * Certified setting: Q starts at an upper bound, the seekers act greedily on it, and each episode is backed up from its
  * end to its start, Q(s,a) <- min(Q(s,a), backup). Q then never falls below the optimal Q*, so the largest Q of the

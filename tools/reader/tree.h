@@ -1,4 +1,5 @@
-/* A YAML document as a tree, with the line of every node and faults that name it. libyaml stays behind this interface. */
+/* A YAML document as a tree, with the line of every node and faults that name it. Nodes are
+ * libyaml's own; who goes through a document calls the functions here and none of libyaml's. */
 #ifndef QUARTER_READER_TREE_H
 #define QUARTER_READER_TREE_H
 
