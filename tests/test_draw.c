@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw_parts.h"
 #include "draw_svg.h"
+#include "support/random.h"
 #include "unity.h"
 
 enum { COLUMNS = 6, ROWS = 4 };
@@ -126,6 +128,136 @@ static void test_picture_holds_every_place_start_and_trajectory(void) {
   TEST_ASSERT_EQUAL_INT(1, count("place 2, likelihood 0.25<")); /* nobody visits it */
   TEST_ASSERT_EQUAL_INT(1, count("Seeker 1 visits place 1 at step 2."));
   TEST_ASSERT_EQUAL_INT(1, count("up to 4 steps a cell"));
+}
+
+/* Among the numbers inside the places. */
+static int count_numbers(const char *what) {
+  char *end = strstr(text, "id=\"labels\"");
+  const char kept = *end;
+  int found = 0;
+  *end = '\0';
+  for (const char *at = strstr(text, "id=\"numbers\""); (at = strstr(at, what)) != NULL; at++) found++;
+  *end = kept;
+  return found;
+}
+
+static void test_places_bear_the_numbers_that_they_are_given(void) {
+  static const uint16_t numbers[] = {4, 7, 8};
+  draw();
+  for (int p = 0; p < 3; p++) TEST_ASSERT_EQUAL_INT(1, count_numbers((const char *const[]){">0<", ">1<", ">2<"}[p]));
+  TEST_ASSERT_EQUAL_INT(2, count(">1st</text>")); /* places 0 and 1, each its seeker's first */
+  d.number = numbers;
+  draw();
+  assert_well_formed();
+  for (int p = 0; p < 3; p++) TEST_ASSERT_EQUAL_INT(1, count_numbers((const char *const[]){">4<", ">7<", ">8<"}[p]));
+  TEST_ASSERT_EQUAL_INT(1, count("<title>place 7, "));
+  TEST_ASSERT_EQUAL_INT(1, count("Seeker 1 visits place 7 at step 2."));
+}
+
+static void expect_ordinal(const char *expected, int number) {
+  char ordinal[16];
+  draw_ordinal(ordinal, number);
+  TEST_ASSERT_EQUAL_STRING(expected, ordinal);
+}
+
+static void test_visits_are_counted_as_in_speech(void) {
+  expect_ordinal("1st", 1);
+  expect_ordinal("2nd", 2);
+  expect_ordinal("3rd", 3);
+  expect_ordinal("4th", 4);
+  expect_ordinal("10th", 10);
+  expect_ordinal("11th", 11);
+  expect_ordinal("12th", 12);
+  expect_ordinal("13th", 13);
+  expect_ordinal("21st", 21);
+  expect_ordinal("112th", 112);
+  expect_ordinal("122nd", 122);
+}
+
+/* The circles of the places and the squares of the starts. */
+static int read_boxes(draw_box *box, const char *from, const char *to) {
+  int boxes = 0;
+  for (const char *at = from; at < to; at++) {
+    double x, y, w, h;
+    if (sscanf(at, "<circle cx=\"%lf\" cy=\"%lf\" r=\"%lf\"", &x, &y, &w) == 3)
+      box[boxes++] = (draw_box){x - w, y - w, 2 * w, 2 * w};
+    else if (sscanf(at, "<rect x=\"%lf\" y=\"%lf\" width=\"%lf\" height=\"%lf\"", &x, &y, &w, &h) == 4)
+      box[boxes++] = (draw_box){x, y, w, h};
+  }
+  return boxes;
+}
+
+static bool overlap(const draw_box *a, const draw_box *b) {
+  return a->x + a->width > b->x + 0.1 && b->x + b->width > a->x + 0.1 && a->y + a->height > b->y + 0.1 &&
+         b->y + b->height > a->y + 0.1;
+}
+
+static void test_a_place_on_a_start_does_not_hide_it(void) {
+  draw_box place[3], start[2];
+  seekers[0].start = seekers[1].start = places[0];
+  draw();
+  TEST_ASSERT_EQUAL_INT(3, read_boxes(place, strstr(text, "id=\"places\""), strstr(text, "id=\"starts\"")));
+  char *leader = strstr(strstr(text, "id=\"starts\""), "<circle");
+  TEST_ASSERT_NOT_NULL(leader); /* the start itself is dotted, its squares stand beside the place */
+  TEST_ASSERT_EQUAL_INT(2, read_boxes(start, strstr(leader, "<rect"), strstr(text, "id=\"numbers\"")));
+  for (int i = 0; i < 2; i++)
+    for (int p = 0; p < 3; p++) TEST_ASSERT_FALSE(overlap(&start[i], &place[p]));
+}
+
+/* The labels beside the places, as wide as their text is taken to be. */
+static int read_labels(draw_box *box) {
+  int boxes = 0;
+  for (const char *at = strstr(text, "id=\"labels\""); (at = strstr(at, "<text")) != NULL; at++) {
+    char shown[40] = "";
+    double x, y;
+    if (strstr(at, "<g id=\"legend\"") == NULL) break;
+    TEST_ASSERT_EQUAL_INT(2, sscanf(at, "<text x=\"%lf\" y=\"%lf\"", &x, &y));
+    for (const char *c = strchr(at, '>') + 1; strncmp(c, "</text>", 7) != 0; c++) {
+      if (*c == '<')
+        c = strchr(c, '>');
+      else
+        strncat(shown, c, 1);
+    }
+    box[boxes++] = (draw_box){x, y - 8, draw_text_width(shown, 10.5), 9};
+  }
+  return boxes;
+}
+
+static void test_labels_stand_clear_of_one_another_and_of_the_places(void) {
+  enum { SIDE = 30, MANY = 16 };
+  static uint8_t open[SIDE * SIDE];
+  static qtr_cell cell[MANY];
+  static double weight[MANY];
+  static uint16_t route[2][MANY];
+  static qtr_steps step[MANY];
+  static draw_box label[3 * MANY], place[MANY];
+  memset(open, 1, sizeof open);
+  for (unsigned i = 0; i < 40; i++) {
+    test_random random = random_case("labels", i);
+    for (unsigned p = 0; p < MANY; p++) {
+      cell[p] = (qtr_cell)(p * SIDE * SIDE / MANY + random_below(&random, SIDE * SIDE / MANY));
+      weight[p] = random_in(&random, 1, 9);
+      route[p % 2][p / 2] = (uint16_t)p;
+    }
+    for (int s = 0; s < 2; s++) seekers[s] = (drawing_seeker){0, NULL, 0, MANY / 2, route[s], step};
+    d = (drawing){.columns = SIDE,
+                  .rows = SIDE,
+                  .cost = open,
+                  .places = MANY,
+                  .place = cell,
+                  .likelihood = weight,
+                  .seekers = 2,
+                  .seeker = seekers};
+    draw();
+    assert_well_formed();
+    read_boxes(place, strstr(text, "id=\"places\""), strstr(text, "id=\"starts\""));
+    const int labels = read_labels(label);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(MANY, labels, case_note);
+    for (int a = 0; a < labels; a++) {
+      for (int b = 0; b < a; b++) TEST_ASSERT_FALSE_MESSAGE(overlap(&label[a], &label[b]), case_note);
+      for (int p = 0; p < MANY; p++) TEST_ASSERT_FALSE_MESSAGE(overlap(&label[a], &place[p]), case_note);
+    }
+  }
 }
 
 static void test_likelihood_is_the_area(void) {
@@ -292,6 +424,10 @@ static void test_cells_off_the_map_are_refused(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_picture_holds_every_place_start_and_trajectory);
+  RUN_TEST(test_places_bear_the_numbers_that_they_are_given);
+  RUN_TEST(test_visits_are_counted_as_in_speech);
+  RUN_TEST(test_a_place_on_a_start_does_not_hide_it);
+  RUN_TEST(test_labels_stand_clear_of_one_another_and_of_the_places);
   RUN_TEST(test_likelihood_is_the_area);
   RUN_TEST(test_same_drawing_gives_the_same_bytes);
   RUN_TEST(test_text_of_any_kind_is_escaped);

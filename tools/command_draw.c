@@ -23,8 +23,9 @@ static const char help[] =
     "quarter draw map.txt --regions -o regions.svg      the regions that the map divides into\n"
     "quarter draw map.txt --spots -o spots.svg          the hiding spots that its places form\n"
     "\n"
-    "Places are sized by likelihood and numbered in the order of their seeker's route; a browser shows each one's own\n"
-    "number on pointing at it. '-o -' is standard output.\n"
+    "Places are sized by likelihood and bear their numbers; beside them stands which of its seeker's visits each is "
+    "(1st,\n"
+    "2nd, ...), where there is room, and a browser shows it on pointing at the place. '-o -' is standard output.\n"
     "\n"
     "  -o, --output FILE        the SVG picture (required)\n"
     "      --robots K, --cell-size M, --skip-unreachable     as in 'quarter learn', for inputs\n"
@@ -156,7 +157,10 @@ static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {
 
 static void add_certificate(sheet *s, const table *t) {
   const table_certificate c = table_certificate_of(t);
-  add_line(s, c.certified ? "certified\tgap %.2g%%" : "not certified\tgap %.2g%%", 100.0 * c.gap);
+  if (c.certified && c.gap < 1e-9)
+    add_line(s, "certified\toptimal");
+  else
+    add_line(s, c.certified ? "certified\tgap %.2g%%" : "not certified\tgap %.2g%%", 100.0 * c.gap);
   add_line(s, "expected time\t%s", measured(c.expected_time, "step").text);
   add_line(s, "discounted value\t%.5g", c.value);
   add_line(s, c.by_time ? "no less time than\t%.5g steps" : "no more value than\t%.5g", c.bound);
@@ -267,9 +271,15 @@ static int write_picture(const sheet *s, const options *o, fault *why) {
   return outfile_commit(&out, why);
 }
 
-static const char *base_name(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return slash != NULL ? slash + 1 : path;
+/* The mission's name, or the file's; a table holds no name, so its file's goes without the suffix. */
+static const char *title_of(const options *o) {
+  static char title[256];
+  const char *slash = strrchr(o->input, '/');
+  if (desk->drawn.in.name[0] != '\0') return desk->drawn.in.name;
+  snprintf(title, sizeof title, "%s", slash != NULL ? slash + 1 : o->input);
+  char *suffix = strrchr(title, '.');
+  if (suffix != NULL && suffix != title && strcmp(suffix, ".qtr") == 0) *suffix = '\0';
+  return title;
 }
 
 static int fill_sheet(sheet *s, const options *o, fault *why) {
@@ -287,7 +297,7 @@ static int draw(const options *o, fault *why) {
   if (desk == NULL) return -1;
   set_arrays(&picture);
   int status = fill_sheet(&picture, o, why);
-  picture.d.title = desk->drawn.in.name[0] != '\0' ? desk->drawn.in.name : base_name(o->input);
+  picture.d.title = title_of(o);
   if (status == 0 && o->regions) status = add_regions(&picture, o, why);
   if (status == 0 && o->spots) status = add_spots(&picture, o, why);
   if (status == 0) status = write_picture(&picture, o, why);

@@ -22,10 +22,16 @@ static bool has_slow_ground(const drawing *d, int *slowest) {
   return *slowest > 1;
 }
 
+static bool has_visits(const drawing *d) {
+  bool any = false;
+  for (int i = 0; i < d->seekers; i++) any = any || d->seeker[i].places > 0;
+  return any;
+}
+
 static int key_height(const drawing *d) {
   int slowest;
-  return (d->places > 0 ? SIZES_ROW : 0) + (has_slow_ground(d, &slowest) ? KEY_ROW : 0) +
-         (d->cell_size > 0 ? KEY_ROW : 0);
+  return (d->places > 0 ? SIZES_ROW : 0) + (has_visits(d) ? KEY_ROW : 0) +
+         (has_slow_ground(d, &slowest) ? KEY_ROW : 0) + (d->cell_size > 0 ? KEY_ROW : 0);
 }
 
 double draw_legend_width(const draw_page *page) {
@@ -114,6 +120,12 @@ static void draw_sizes(const draw_page *page, double y) {
   put_text(page, x, middle + 4.5, " fill=\"" DRAW_MUTED "\"", "likelihood", 40);
 }
 
+/* What the labels beside the places say. */
+static void draw_label_key(const draw_page *page, double y) {
+  put_text(page, page->legend_x, y + 14.5, " font-size=\"10.5\"", "2nd", 10);
+  put_text(page, page->legend_x + 32, y + 14.5, " fill=\"" DRAW_MUTED "\"", "second visit of its seeker", 40);
+}
+
 static void draw_slow(const draw_page *page, double y, int slowest) {
   char text[60];
   snprintf(text, sizeof text, "slow, up to %d steps a cell", slowest);
@@ -153,6 +165,10 @@ static void draw_key(const draw_page *page, double y) {
   if (page->d->places > 0) {
     draw_sizes(page, y);
     y += SIZES_ROW;
+  }
+  if (has_visits(page->d)) {
+    draw_label_key(page, y);
+    y += KEY_ROW;
   }
   if (has_slow_ground(page->d, &slowest)) {
     draw_slow(page, y, slowest);

@@ -1,10 +1,8 @@
-/* Starts and places. */
+/* Places, starts and what is written beside them. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "draw_parts.h"
-
-/* ---- starts ---- */
 
 void draw_badge(const draw_page *page, int seeker, double x, double y, double size) {
   char colour[8];
@@ -14,6 +12,77 @@ void draw_badge(const draw_page *page, int seeker, double x, double y, double si
           x - size / 2, y - size / 2, size, size, draw_colour(colour, seeker), DRAW_INK, x, y + 0.36 * 0.66 * size,
           (seeker < 100 ? 0.66 : 0.5) * size, draw_ink(seeker), seeker);
 }
+
+/* ---- places ---- */
+
+static draw_point place_centre(const draw_page *page, int place) {
+  return draw_centre(page, page->d->place[place]);
+}
+
+double draw_fit_radius(const draw_page *page) {
+  const drawing *d = page->d;
+  const double most = fmin(22, fmax(14, 0.46 * page->cell));
+  double share = 1;
+  for (int p = 0; p < d->places; p++)
+    for (int q = 0; q < p; q++) {
+      const draw_point a = place_centre(page, p), b = place_centre(page, q);
+      const double radii = most * (sqrt(d->likelihood[p] / page->largest) + sqrt(d->likelihood[q] / page->largest));
+      share = fmin(share, (hypot(a.x - b.x, a.y - b.y) - 1) / radii);
+    }
+  return fmax(fmin(most, 7), share * most);
+}
+
+double draw_radius(const draw_page *page, double likelihood) {
+  return page->largest_radius * sqrt(likelihood / page->largest);
+}
+
+static double place_radius(const draw_page *page, int place) {
+  return fmax(draw_radius(page, page->d->likelihood[place]), page->d->spot != NULL ? 9 : 3);
+}
+
+/* Whose colour a place wears: its spot's, its visitor's, or nobody's (-1). */
+static int wearer(const draw_page *page, int place) {
+  return page->d->spot != NULL ? page->d->spot[place] : page->visitor[place];
+}
+
+static void draw_place(draw_page *page, int place) {
+  const drawing *d = page->d;
+  const int visitor = page->visitor[place];
+  const draw_point at = place_centre(page, place);
+  const double radius = place_radius(page, place);
+  const int wears = wearer(page, place);
+  char colour[8];
+  fprintf(page->out, "<g class=\"place\"><title>place %d, likelihood %.4g", draw_place_number(d, place),
+          d->likelihood[place]);
+  if (visitor >= 0)
+    fprintf(page->out, ", seeker %d, visit %d, step %lu", visitor, page->visit[place] + 1,
+            (unsigned long)d->seeker[visitor].step[page->visit[place]]);
+  fprintf(page->out,
+          "</title><circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.3\"/></g>\n",
+          at.x, at.y, radius, wears < 0 ? "#fff" : draw_colour(colour, wears), DRAW_INK);
+  draw_take(page, &(draw_box){at.x - radius, at.y - radius, 2 * radius, 2 * radius});
+}
+
+static const double *sort_likelihood;
+
+static int compare_places(const void *a, const void *b) {
+  const int p = *(const int *)a, q = *(const int *)b;
+  if (sort_likelihood[p] != sort_likelihood[q]) return sort_likelihood[p] > sort_likelihood[q] ? -1 : 1;
+  return p - q;
+}
+
+/* The smaller over the larger. */
+static void draw_places(draw_page *page) {
+  int order[QTR_MAX_PLACES];
+  for (int p = 0; p < page->d->places; p++) order[p] = p;
+  sort_likelihood = page->d->likelihood;
+  qsort(order, (size_t)page->d->places, sizeof *order, compare_places);
+  fputs("<g id=\"places\">\n", page->out);
+  for (int p = 0; p < page->d->places; p++) draw_place(page, order[p]);
+  fputs("</g>\n", page->out);
+}
+
+/* ---- starts ---- */
 
 enum { ROW = 4 }; /* squares side by side where seekers share a start */
 
@@ -28,99 +97,125 @@ static int sharing(const drawing *d, int seeker, int *earlier) {
   return count;
 }
 
-/* Where the middle of a block of squares goes so that it stays on the map: at `middle`, if there is room. */
-static double keep_on_map(double middle, double size, double map, double map_size) {
-  if (size > map_size) return map + map_size / 2;
-  return fmin(fmax(middle, map + size / 2), map + map_size - size / 2);
+/* Where the squares of a start go: on its cell, or beside it where a place or other squares stand there. */
+static draw_box find_block(const draw_page *page, draw_point at, double width, double height) {
+  draw_box block = {at.x - width / 2, at.y - height / 2, width, height};
+  if (width <= page->width) block.x = fmin(fmax(block.x, page->x), page->x + page->width - width);
+  if (height <= page->height) block.y = fmin(fmax(block.y, page->y), page->y + page->height - height);
+  if (!draw_is_clear(page, &block)) draw_find_room(page, at, page->largest_radius + 1, width, height, &block);
+  return block;
 }
 
-void draw_starts(const draw_page *page) {
+/* From a start to its squares that stand beside it. */
+static void draw_leader(const draw_page *page, draw_point at, const draw_box *block) {
+  const double x = fmin(fmax(at.x, block->x), block->x + block->width);
+  const double y = fmin(fmax(at.y, block->y), block->y + block->height);
+  if (hypot(x - at.x, y - at.y) < 2) return;
+  fprintf(page->out,
+          "<path stroke=\"%s\" stroke-width=\"1.4\" d=\"M%.2f %.2fL%.2f %.2f\"/><circle cx=\"%.2f\" cy=\"%.2f\" "
+          "r=\"2.6\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"0.8\"/>\n",
+          DRAW_INK, at.x, at.y, x, y, at.x, at.y, DRAW_INK);
+}
+
+static void draw_start(draw_page *page, int seeker, int count) {
   const double size = 15, pitch = size + 1;
+  const int across = count < ROW ? count : ROW, down = (count + ROW - 1) / ROW;
+  const qtr_cell start = page->d->seeker[seeker].start;
+  const draw_point at = draw_centre(page, start);
+  const draw_box block = find_block(page, at, across * pitch, down * pitch);
+  int drawn = 0;
+  draw_take(page, &block);
+  draw_leader(page, at, &block);
+  for (int i = seeker; i < page->d->seekers; i++) {
+    if (page->d->seeker[i].start != start) continue;
+    draw_badge(page, i, block.x + (drawn % ROW + 0.5) * pitch, block.y + (drawn / ROW + 0.5) * pitch, size);
+    drawn++;
+  }
+}
+
+static void draw_starts(draw_page *page) {
   fputs("<g id=\"starts\" text-anchor=\"middle\" font-weight=\"bold\">\n", page->out);
   for (int seeker = 0; seeker < page->d->seekers; seeker++) {
     int earlier;
     const int count = sharing(page->d, seeker, &earlier);
-    const int across = count < ROW ? count : ROW, down = (count + ROW - 1) / ROW;
-    const draw_point centre = draw_centre(page, page->d->seeker[seeker].start);
-    const double x = keep_on_map(centre.x, across * pitch, page->x, page->width);
-    const double y = keep_on_map(centre.y, down * pitch, page->y, page->height);
-    draw_badge(page, seeker, x + (earlier % ROW - (across - 1) / 2.0) * pitch,
-               y + (earlier / ROW - (down - 1) / 2.0) * pitch, size);
+    if (earlier == 0) draw_start(page, seeker, count);
   }
   fputs("</g>\n", page->out);
 }
 
-/* ---- places ---- */
+/* ---- labels: a place's number, and which of its seeker's visits it is ---- */
 
-double draw_radius(const draw_page *page, double likelihood) {
-  const double largest = fmin(22, fmax(14, 0.46 * page->cell));
-  return largest * sqrt(likelihood / page->largest);
-}
-
-static void draw_order(const draw_page *page, int place, draw_point at, double radius) {
-  const int number = page->visit[place] + 1;
-  const double size = fmin(14, fmax(10, radius * 1.05));
-  const bool inside = radius >= (number < 10 ? 7 : 9);
-  if (inside)
-    fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" fill=\"%s\">%d</text>", at.x, at.y + 0.36 * size,
-            size, draw_ink(page->visitor[place]), number);
-  else
-    fprintf(page->out,
-            "<text x=\"%.2f\" y=\"%.2f\" font-size=\"11\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" "
-            "stroke-linejoin=\"round\" paint-order=\"stroke\" text-anchor=\"start\">%d</text>",
-            at.x + 0.75 * radius, at.y - 0.75 * radius, DRAW_INK, number);
-}
-
-/* Whose colour a place wears: its spot's, its visitor's, or nobody's (-1). */
-static int wearer(const draw_page *page, int place) {
-  return page->d->spot != NULL ? page->d->spot[place] : page->visitor[place];
+void draw_ordinal(char text[16], int number) {
+  static const char *const ends[] = {"th", "st", "nd", "rd"};
+  const int last = number % 10;
+  snprintf(text, 16, "%d%s", number, ends[last < 4 && number / 10 % 10 != 1 ? last : 0]);
 }
 
 /* A, B, ... Z, then numbers. */
-static void draw_spot(const draw_page *page, int place, draw_point at) {
-  const int spot = page->d->spot[place];
-  char mark[8];
-  snprintf(mark, sizeof mark, spot < 26 ? "%c" : "%d", spot < 26 ? 'A' + spot : spot + 1);
-  fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"12\" fill=\"%s\">%s</text>", at.x, at.y + 4.3,
-          draw_ink(spot), mark);
+static void spot_mark(char text[16], int spot) {
+  snprintf(text, 16, spot < 26 ? "%c" : "%d", spot < 26 ? 'A' + spot : spot + 1);
 }
 
-static void draw_place(const draw_page *page, int place) {
-  const drawing *d = page->d;
-  const int visitor = page->visitor[place];
-  const draw_point at = draw_centre(page, d->place[place]);
-  const double radius = fmax(draw_radius(page, d->likelihood[place]), d->spot != NULL ? 9 : 2.5);
+/* What stands inside a place: its spot's letter, or its number where there is room. False: nothing. */
+static bool draw_inside(const draw_page *page, int place) {
+  const draw_point at = place_centre(page, place);
+  const double radius = place_radius(page, place), size = fmin(14, fmax(10, radius * 1.05));
   const int wears = wearer(page, place);
-  char colour[8];
-  fprintf(page->out, "<g class=\"place\"><title>place %d, likelihood %.4g", place, d->likelihood[place]);
-  if (visitor >= 0)
-    fprintf(page->out, ", seeker %d, visit %d, step %lu", visitor, page->visit[place] + 1,
-            (unsigned long)d->seeker[visitor].step[page->visit[place]]);
+  char text[16];
+  if (page->d->spot != NULL)
+    spot_mark(text, page->d->spot[place]);
+  else
+    snprintf(text, sizeof text, "%d", draw_place_number(page->d, place));
+  if (page->d->spot == NULL && draw_text_width(text, size) > 2 * radius - 3) return false;
+  fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" font-weight=\"bold\" fill=\"%s\">%s</text>\n",
+          at.x, at.y + 0.36 * size, size, wears < 0 ? DRAW_INK : draw_ink(wears), text);
+  return page->d->spot == NULL;
+}
+
+static void write_label(draw_page *page, const draw_box *box, const char *number, const char *order) {
+  draw_take(page, box);
+  fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"start\">", box->x + 1, box->y + box->height - 2.5);
+  if (*number != '\0')
+    fprintf(page->out, "<tspan font-weight=\"bold\">%s</tspan>%s", number, *order != '\0' ? " " : "");
+  fprintf(page->out, "%s</text>\n", order);
+}
+
+/* The number, if it is not inside, and the order. Where there is no room for both the order is left to the title. */
+static void draw_label(draw_page *page, int place, bool numbered) {
+  char number[16] = "", order[16] = "", both[36];
+  const draw_point at = place_centre(page, place);
+  const double nearest = place_radius(page, place) + 1;
+  draw_box box;
+  if (!numbered) snprintf(number, sizeof number, "%d", draw_place_number(page->d, place));
+  if (page->visitor[place] >= 0) draw_ordinal(order, page->visit[place] + 1);
+  snprintf(both, sizeof both, "%s%s%s", number, !numbered && *order != '\0' ? " " : "", order);
+  if (*both == '\0') return;
+  if (draw_find_room(page, at, nearest, draw_text_width(both, 10.5) + 2, 12, &box))
+    write_label(page, &box, number, order);
+  else if (!numbered) {
+    draw_find_room(page, at, nearest, draw_text_width(number, 10.5) + 2, 12, &box);
+    write_label(page, &box, number, "");
+  }
+}
+
+/* Numbers come first, for they are what a place is known by. */
+static void draw_labels(draw_page *page) {
+  bool numbered[QTR_MAX_PLACES];
+  fputs("<g id=\"numbers\" text-anchor=\"middle\">\n", page->out);
+  for (int p = 0; p < page->d->places; p++) numbered[p] = draw_inside(page, p);
   fprintf(page->out,
-          "</title><circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.3\"/>", at.x,
-          at.y, radius, wears < 0 ? "#fff" : draw_colour(colour, wears), DRAW_INK);
-  if (d->spot != NULL)
-    draw_spot(page, place, at);
-  else if (visitor >= 0)
-    draw_order(page, place, at, radius);
+          "</g>\n<g id=\"labels\" font-size=\"10.5\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" "
+          "stroke-linejoin=\"round\" paint-order=\"stroke\">\n",
+          DRAW_INK);
+  for (int p = 0; p < page->d->places; p++)
+    if (!numbered[p]) draw_label(page, p, false);
+  for (int p = 0; p < page->d->places; p++)
+    if (numbered[p]) draw_label(page, p, true);
   fputs("</g>\n", page->out);
 }
 
-static const double *sort_likelihood;
-
-static int compare_places(const void *a, const void *b) {
-  const int p = *(const int *)a, q = *(const int *)b;
-  if (sort_likelihood[p] != sort_likelihood[q]) return sort_likelihood[p] > sort_likelihood[q] ? -1 : 1;
-  return p - q;
-}
-
-/* The smaller over the larger. */
-void draw_places(const draw_page *page) {
-  int order[QTR_MAX_PLACES];
-  for (int p = 0; p < page->d->places; p++) order[p] = p;
-  sort_likelihood = page->d->likelihood;
-  qsort(order, (size_t)page->d->places, sizeof *order, compare_places);
-  fputs("<g id=\"places\" text-anchor=\"middle\" font-weight=\"bold\">\n", page->out);
-  for (int p = 0; p < page->d->places; p++) draw_place(page, order[p]);
-  fputs("</g>\n", page->out);
+void draw_marks(draw_page *page) {
+  draw_places(page);
+  draw_starts(page);
+  draw_labels(page);
 }

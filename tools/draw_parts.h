@@ -17,6 +17,13 @@ typedef struct {
   double x, y;
 } draw_point;
 
+/* In pixels of the picture, from its upper left corner. */
+typedef struct {
+  double x, y, width, height;
+} draw_box;
+
+enum { DRAW_BOXES = 2 * QTR_MAX_PLACES + QTR_MAX_SEEKERS };
+
 typedef struct {
   FILE *out;
   const drawing *d;
@@ -25,11 +32,14 @@ typedef struct {
   double cell, x, y, width, height;
   double legend_x, legend_width, page_width, page_height;
   double largest;              /* likelihood */
+  double largest_radius;       /* of a place */
   int visitor[QTR_MAX_PLACES]; /* seeker; -1: nobody */
   int visit[QTR_MAX_PLACES];   /* which of the seeker's visits, from 0 */
   int lane[QTR_MAX_SEEKERS];   /* how far beside the cells' middles a trajectory runs */
-  uint16_t *layer;             /* scratch: a number for each cell of the map */
-  qtr_cell *queue;             /* scratch, as many */
+  int boxes;
+  draw_box box[DRAW_BOXES]; /* where places, starts and labels stand */
+  uint16_t *layer;          /* scratch: a number for each cell of the map */
+  qtr_cell *queue;          /* scratch, as many */
 } draw_page;
 
 /* ---- draw_style.c ---- */
@@ -49,17 +59,37 @@ void draw_number(FILE *out, double number);
 
 /* ---- the parts, from the bottom to the top ---- */
 
+static inline int draw_place_number(const drawing *d, int place) {
+  return d->number != NULL ? d->number[place] : place;
+}
+
 draw_point draw_centre(const draw_page *page, qtr_cell cell);
 double draw_radius(const draw_page *page, double likelihood);
+/* The largest radius of a place at which places near one another do not cover each other, within bounds. */
+double draw_fit_radius(const draw_page *page);
 void draw_map(draw_page *page);
 void draw_trails(draw_page *page);
-void draw_starts(const draw_page *page);
-void draw_places(const draw_page *page);
+/* Places, then the starts beside those that they would hide, then the labels where there is room for them. */
+void draw_marks(draw_page *page);
+/* "1st", "2nd", "3rd", "4th". */
+void draw_ordinal(char text[16], int number);
 /* Lanes for the seekers' trajectories, so that no two run over one another. They stand in `layer` too: leave it alone
  * until the trajectories are drawn. */
 void draw_assign_lanes(draw_page *page);
 /* How many lanes beside the middle a point of a trail lies. */
 int draw_lane(const draw_page *page, int seeker, size_t index);
+
+/* ---- draw_labels.c ---- */
+
+/* A box stands here from now on. */
+void draw_take(draw_page *page, const draw_box *box);
+bool draw_is_clear(const draw_page *page, const draw_box *box);
+/* Room for a box around a point, `nearest` from it or a little further; false: there is none, *found stands on least. */
+bool draw_find_room(const draw_page *page, draw_point point, double nearest, double width, double height,
+                    draw_box *found);
+
+/* ---- draw_legend.c ---- */
+
 /* The square with the seeker's number, its middle at a point. */
 void draw_badge(const draw_page *page, int seeker, double x, double y, double size);
 void draw_legend(const draw_page *page);

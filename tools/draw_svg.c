@@ -101,7 +101,7 @@ static void describe(const draw_page *page) {
     fprintf(page->out, " Seeker %d visits", i);
     if (d->seeker[i].places == 0) fputs(" no place", page->out);
     for (int v = 0; v < d->seeker[i].places; v++)
-      fprintf(page->out, "%s place %d at step %lu", v > 0 ? "," : "", d->seeker[i].place[v],
+      fprintf(page->out, "%s place %d at step %lu", v > 0 ? "," : "", draw_place_number(d, d->seeker[i].place[v]),
               (unsigned long)d->seeker[i].step[v]);
     fputc('.', page->out);
   }
@@ -149,12 +149,12 @@ int draw_svg(FILE *out, const drawing *d) {
     crop(&page);
     lay_out(&page);
     find_visitors(&page);
+    page.largest_radius = draw_fit_radius(&page);
     begin_page(&page);
     draw_title(&page);
     draw_map(&page);
     draw_trails(&page);
-    draw_starts(&page);
-    draw_places(&page);
+    draw_marks(&page);
     draw_legend(&page);
     fputs("</svg>\n", out);
   }

@@ -24,6 +24,7 @@ typedef struct {
   int places;          /* 0..QTR_MAX_PLACES */
   const qtr_cell *place;
   const double *likelihood; /* of each place; any unit */
+  const uint16_t *number;   /* of each place, as it is shown; NULL: its index */
   int seekers;
   const drawing_seeker *seeker;
   int lines;               /* of the certificate, for the legend */

@@ -51,11 +51,11 @@ class Lab:
         return told, rows
 
     def picture_of_policy(self, name, *options):
-        table, picture = self.file(".qtr"), self.file(".svg")
+        # A table's picture has the name of its file as the title.
+        table, picture = str(self.scratch / f"{name}.qtr"), self.file(".svg")
         self.run("learn", self.map(name), "--robots", 2, "-q", "-o", table, *options)
         self.run("draw", table, "-o", picture)
-        # The certificate names the file as the title: a number of this run's, of no use to a reader.
-        return Path(picture).read_text(encoding="utf-8").replace(Path(table).name, Path(self.map(name)).name)
+        return Path(picture).read_text(encoding="utf-8")
 
     def picture_of_map(self, name, *options):
         picture = self.file(".svg")
