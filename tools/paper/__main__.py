@@ -11,6 +11,7 @@ from pathlib import Path
 from string import Template
 
 import charts
+import schemes
 import tables
 from experiments import EXPERIMENTS, QUICK
 from lab import Lab
@@ -63,11 +64,19 @@ def run(lab, chosen):
 
 def make_report(data):
     facts = {name: getattr(tables, name)(data) for name in
-             ("maps", "strategies", "states", "rules", "groups", "growth", "tuning", "oscillation", "anywhere", "belief")}
+             ("maps", "strategies", "states", "rules", "groups", "growth", "tuning", "likelihood", "oscillation", "anywhere", "belief")}
     facts["learning"] = tables.approaches(data["learning"])
     facts["enough"] = data["belief"]["enough"]
     facts["enough_single"] = tables.number(data["belief"]["settled"])
     facts["uniform_excess"] = tables.percent(data["belief"]["excess"][0]["median"])
+    tuned = data["tuning"]["fig53"]
+    facts["fig53_tuned"] = tables.tuned_loss(data, "fig53")
+    facts["fig53_plain"] = tables.percent(1 - tuned["plain"]["value"]["median"] / tuned["bound"])
+    facts["fig53_options"] = tuned["kinds"]["both"]["options"]
+    facts["fig53_entries"] = tables.number(tuned["tuned"]["entries"]["median"])
+    facts["least_spotless"] = tables.percent(min(t["kinds"][kind]["gap"] for t in data["tuning"].values()
+                                                 for kind in ("none", "regions")))
+    facts["scattered_tuned"] = tables.tuned_loss(data, "scattered")
     return Template((HERE / "report.md").read_text(encoding="utf-8")).substitute(facts)
 
 
@@ -91,7 +100,7 @@ def main(words):
     missing = [name for name, result in data.items() if result is None]
     if missing:
         sys.exit(f"./run paper: {known.relative_to(ROOT)} lacks {missing[0]}: run ./run paper without --quick or --only")
-    pictures.update(charts.draw(data))
+    pictures.update(charts.draw(data) | schemes.draw())
     files = {known: as_text(data), ROOT / "docs" / "paper.md": make_report(data)}
     files.update({folder / f"{name}.svg": text for name, text in pictures.items()})
     if not asked.check:

@@ -10,8 +10,9 @@ from plain_regions import divide_plainly
 
 SMALL = ["fig43a", "fig43b", "fig43c", "fig43d", "fig43e", "fig43f"]
 LARGE = ["rep", "spiders", "rooms"]
+TUNED = LARGE + ["scattered", "fig53"]
 
-# The strategy of the tables, and the others that are compared on map (f). Softmax is what section 4.3 describes.
+# The strategy of the tables, and the others that are compared on map (f): the paper names none.
 EPSILON = "epsilon:0.7"
 STRATEGIES = {"epsilon-greedy, 0.7": (EPSILON, 30000), "uniform": ("uniform", 100000),
               "softmax, temperature 4": ("softmax:4", 200000), "softmax, temperature 0.1": ("softmax:0.1", 30000)}
@@ -68,6 +69,7 @@ def maps(lab, pictures):
     """Section 4.3 on maps (a) to (f)."""
     found = {}
     for name in SMALL:
+        pictures[f"fig43-{name[-1]}"], _ = lab.picture_of_map(name, "--robots", 2)
         proven = lab.ask("exact", lab.map(name), "--robots", 2, "--rule", "paper")
         found[name] = {"cells": proven["columns"] * proven["rows"], "free": proven["cells"],
                        "places": proven["places"], "optimum": proven["objective_value"],
@@ -110,7 +112,9 @@ def rules(lab, pictures):
 
 
 def groups(lab, pictures):
-    """Regions and spots of the map with 657 free cells."""
+    """Regions and spots of the map with 657 free cells; the plain pictures of the other large maps."""
+    for name in LARGE:
+        pictures[f"fig58-{name}"], _ = lab.picture_of_map(name, "--robots", 2)
     pictures["fig53"], regions = lab.picture_of_map("fig53", "--regions", "--region-size", 25, "--region-diameter", 15)
     pictures["fig55"], spots = lab.picture_of_map("fig53", "--spots", "--spot-size", 5, "--spot-diameter", 25)
     count, distance = divide_plainly((lab.root / lab.map("fig53")).read_text(encoding="utf-8"), 25, 15)
@@ -157,7 +161,7 @@ def options_of(attempt):
 
 
 def tuning(lab, pictures):
-    """`quarter tune` on the large maps and on the control, and twenty seeds of what it recommends for both."""
+    """`quarter tune` on the larger maps and on the control, and twenty seeds of what it recommends for both."""
     def one(name):
         told = lab.ask("tune", lab.map(name), "--robots", 2, "--learner", "paper", "--explore", EPSILON)
         tries = told["tries"]
@@ -178,13 +182,29 @@ def tuning(lab, pictures):
         return {"tries": len(tries), "bound": told["objective_bound"], "certified": told["certified_setting"],
                 "kinds": kinds}
 
-    found = dict(zip(LARGE + ["scattered"], side_by_side(one, LARGE + ["scattered"])))
+    found = dict(zip(TUNED, side_by_side(one, TUNED)))
     for name, tuned in found.items():
         for kind, options in (("tuned", tuned["kinds"]["both"]["options"].split()), ("plain", ["--aggregate", "both"]),
                               ("none", ["--aggregate", "none"])):
             runs = side_by_side(lambda seed: lab.explore(name, GROWTH, seed, "--explore", EPSILON, *options)[0], SEEDS)
             tuned[kind] = {"value": spread([run["value"] for run in runs]),
                            "entries": spread([run["q_entries"] for run in runs])}
+    return found
+
+
+def likelihood(lab, pictures):
+    """Likelihood in the regions, of the paper's size and of a size at which places do come to share regions."""
+    found = {}
+    for name in ["fig53"] + LARGE:
+        for size, diameter in ((25, 15), (100, 40)):
+            for weight in (0, 1, 10):
+                options = ["--explore", EPSILON, "--aggregate", "regions", "--region-size", size, "--region-diameter",
+                           diameter, "--region-likelihood", weight]
+                runs = side_by_side(lambda seed: lab.explore(name, 2000, seed, *options)[0], SEEDS)
+                found.setdefault(name, []).append(
+                    {"size": size, "diameter": diameter, "weight": weight, "regions": runs[0]["regions"],
+                     "value": spread([run["value"] for run in runs]),
+                     "entries": spread([run["q_entries"] for run in runs])})
     return found
 
 
@@ -280,6 +300,7 @@ def belief(lab, pictures):
             "known": spread([run["known"] for run in runs])}
 
 
-EXPERIMENTS = [maps, strategies, states, rules, groups, learning, growth, tuning, oscillation, anywhere, belief]
+EXPERIMENTS = [maps, strategies, states, rules, groups, learning, growth, tuning, likelihood, oscillation, anywhere,
+               belief]
 # Those that every test repeats: they take seconds.
 QUICK = [maps, rules, groups, oscillation, anywhere, belief]

@@ -147,6 +147,26 @@ def tuning(data):
     return table(["map", "kind", "gap on the ground", "Q entries", "options"], rows)
 
 
+def likelihood(data):
+    rows = []
+    for name, measured in data["likelihood"].items():
+        for size in dict.fromkeys((run["size"], run["diameter"]) for run in measured):
+            runs = [run for run in measured if (run["size"], run["diameter"]) == size]
+            blind = runs[0]["value"]["median"]
+            for run in runs:
+                gain = run["value"]["median"] / blind - 1
+                rows.append([letter(name), f"{run['size']} / {run['diameter']}", run["weight"], run["regions"],
+                             number(run["entries"]["median"]), with_range(run["value"]),
+                             f"{'+' if gain > 0 else '-'}{percent(gain).lstrip('-')}" if gain else "as before" if run["weight"] else ""])
+    return table(["map", "regions of", "W", "regions", "Q entries", "value on the ground", "against W = 0"], rows)
+
+
+def tuned_loss(data, name):
+    """Share of the proven bound that the worst of the tuned seeds is below it."""
+    tuned = data["tuning"][name]
+    return percent(1 - tuned["tuned"]["value"]["least"] / tuned["bound"])
+
+
 def oscillation(data):
     rows = []
     for times, label in (("true", "each cell (first solution)"), ("representative", "the representative")):
