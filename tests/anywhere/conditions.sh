@@ -44,7 +44,7 @@ clone_elsewhere() {
 # Sets up one condition: in the environment, or as words before the command.
 arrange() {
   case $1 in
-    date) with+=(faketime '+400 days') && export FAKETIME_DONT_FAKE_MONOTONIC=1 ;;
+    date) with+=(faketime '+400 days') && export FAKETIME_DONT_FAKE_MONOTONIC=1 NO_FAKE_STAT=1 ;;
     zone) export TZ=Pacific/Chatham ;;
     turkish) locale_of tr_TR ;;
     german) locale_of de_DE ;;
