@@ -9,7 +9,7 @@
 #include "json.h"
 #include "options.h"
 #include "outfile.h"
-#include "outputs.h"
+#include "products.h"
 #include "quarter/status.h"
 #include "reader/file.h"
 
@@ -273,7 +273,7 @@ int command_belief(int argc, char **argv) {
     fault_set(&why, "--belief -: a saved belief is read and written; name a file");
     return fault_exit(&why);
   }
-  if (learn(&studied, &why) != 0 || outputs_check(&o, &why) != 0 || write_all(&studied, &why) != 0)
+  if (learn(&studied, &why) != 0 || products_check(&o, &why) != 0 || write_all(&studied, &why) != 0)
     return fault_exit(&why);
   return EXIT_SUCCESS;
 }

@@ -9,9 +9,9 @@
 #include "json.h"
 #include "memory.h"
 #include "outfile.h"
-#include "outputs.h"
 #include "print.h"
 #include "problem.h"
+#include "products.h"
 #include "quarter/regions.h"
 #include "quarter/spots.h"
 #include "quarter/status.h"
@@ -286,7 +286,7 @@ static int fill_sheet(sheet *s, const options *o, fault *why) {
   table t;
   if (!table_is_one(o->input)) return from_input(s, o, why);
   if (table_read(&t, o->input, why) != 0) return -1;
-  const int status = outputs_check(o, why) == 0 ? from_table(s, &t, why) : -1;
+  const int status = products_check(o, why) == 0 ? from_table(s, &t, why) : -1;
   table_free(&t);
   return status;
 }

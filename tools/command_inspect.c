@@ -4,8 +4,8 @@
 #include "commands.h"
 #include "count.h"
 #include "json.h"
-#include "outputs.h"
 #include "print.h"
+#include "products.h"
 #include "report.h"
 #include "table.h"
 
@@ -126,7 +126,7 @@ int command_inspect(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
-  if (table_read(&i.t, o.input, &why) != 0 || outputs_check(&o, &why) != 0) return fault_exit(&why);
+  if (table_read(&i.t, o.input, &why) != 0 || products_check(&o, &why) != 0) return fault_exit(&why);
   table_routes(&i.t, i.routes);
   const int status = print_report(&o, write_json, write_text, &i, &why);
   table_free(&i.t);

@@ -5,8 +5,8 @@
 #include "commands.h"
 #include "count.h"
 #include "json.h"
-#include "outputs.h"
 #include "print.h"
+#include "products.h"
 #include "quarter/status.h"
 #include "simulation.h"
 
@@ -144,7 +144,7 @@ static int deploy(table *t, const options *o, fault *why) {
 
 /* The table is open. */
 static int simulate(account *a, fault *why) {
-  if (outputs_check(a->o, why) != 0 || deploy(&a->t, a->o, why) != 0) return -1;
+  if (products_check(a->o, why) != 0 || deploy(&a->t, a->o, why) != 0) return -1;
   if (simulation_run(&a->s, &a->t, a->o, why) != 0) return -1;
   return print_report(a->o, write_json, write_text, a, why);
 }

@@ -1,7 +1,7 @@
 #include "print.h"
 
 #include "outfile.h"
-#include "outputs.h"
+#include "products.h"
 
 static int print_to(const char *path, print_writer write, const void *what, fault *why) {
   outfile out;
@@ -13,5 +13,5 @@ static int print_to(const char *path, print_writer write, const void *what, faul
 int print_report(const options *o, print_writer json, print_writer text, const void *what, fault *why) {
   if (o->json && o->json_path == NULL) return print_to("-", json, what, why);
   if (o->json && print_to(o->json_path, json, what, why) != 0) return -1;
-  return o->quiet || outputs_take_stdout(o) ? 0 : print_to("-", text, what, why);
+  return o->quiet || products_take_stdout(o) ? 0 : print_to("-", text, what, why);
 }

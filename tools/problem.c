@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "outputs.h"
+#include "products.h"
 #include "quarter/status.h"
 #include "stop.h"
 
@@ -97,7 +97,7 @@ int problem_load(problem *p, const options *o, fault *why) {
   override(&p->in.mission, o);
   set_frame(&p->in.mission, &p->in.frame);
   p->in.mission.watch = stop_watch();
-  return outputs_check(o, why);
+  return products_check(o, why);
 }
 
 int problem_measure(problem *p, const options *o, fault *why) {

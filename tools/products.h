@@ -1,6 +1,6 @@
 /* The files that a command line asks to be written. */
-#ifndef QUARTER_TOOLS_OUTPUTS_H
-#define QUARTER_TOOLS_OUTPUTS_H
+#ifndef QUARTER_TOOLS_PRODUCTS_H
+#define QUARTER_TOOLS_PRODUCTS_H
 
 #include <stdbool.h>
 
@@ -9,9 +9,9 @@
 
 /* Once the input is read, and before any work: that each can be written, is none of the files that were read, under whatever
  * name, and that no two are the same. 0, or -1 with *why set. */
-int outputs_check(const options *o, fault *why);
+int products_check(const options *o, fault *why);
 
 /* Whether some output but the report takes standard output: there is no room for text then. */
-bool outputs_take_stdout(const options *o);
+bool products_take_stdout(const options *o);
 
 #endif

@@ -1,4 +1,4 @@
-#include "outputs.h"
+#include "products.h"
 
 #include <string.h>
 #include <sys/stat.h>
@@ -37,7 +37,7 @@ static int try_out(const char *path, fault *why) {
   return 0;
 }
 
-int outputs_check(const options *o, fault *why) {
+int products_check(const options *o, fault *why) {
   output outputs[OUTPUTS];
   list(outputs, o);
   for (int i = 0; i < OUTPUTS; i++) {
@@ -52,6 +52,6 @@ static bool is_stdout(const char *path) {
   return path != NULL && (strcmp(path, "-") == 0 || strcmp(path, "/dev/stdout") == 0);
 }
 
-bool outputs_take_stdout(const options *o) {
+bool products_take_stdout(const options *o) {
   return is_stdout(o->output) || is_stdout(o->c_output) || is_stdout(o->curve);
 }
