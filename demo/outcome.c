@@ -21,9 +21,12 @@ static void write_outcome(FILE *out, const plan *p, const game_result *result, c
 static void tell_outcome(FILE *out, const plan *p, const game_result *r, const settings *s) {
   const double planned = r->mine >= 0 && p->step[r->mine] != QTR_NEVER ? p->step[r->mine] * game_step_seconds() : -1.0;
   const table_certificate c = table_certificate_of(&p->t);
-  fprintf(out, "%s: %s, %s; the plan is %s, at most %.2g %% from the optimum, expected time to find %.1f s\n", p->name,
-          counted(p->t.policy.board.seekers, "robot").text, counted(p->t.policy.board.places, "place").text,
-          c.certified ? "certified" : "not certified", 100.0 * c.gap, p->expected_step * game_step_seconds());
+  fprintf(out, "%s: %s, %s; the plan is ", p->name, counted(p->t.policy.board.seekers, "robot").text,
+          counted(p->t.policy.board.places, "place").text);
+  fprintf(out,
+          c.certified ? "certified within %.2g %% of the optimum" : "not certified, at most %.2g %% from the optimum",
+          100.0 * c.gap);
+  fprintf(out, "; expected time to find %.1f s\n", p->expected_step * game_step_seconds());
   fprintf(out, "seed %llu: ", (unsigned long long)s->seed);
   if (r->found_at >= 0.0)
     fprintf(out, "found at place %d after %.1f s, planned %.1f s", r->mine, r->found_at, planned);

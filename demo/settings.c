@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "game.h"
+#include "refusal.h"
 
 enum letter {
   TABLE = 1,
@@ -153,22 +154,13 @@ static int check(const settings *s, fault *why) {
   return 0;
 }
 
-/* What getopt did not take: a letter of a bundle, or a word. */
-static int refuse(int letter, char **argv, fault *why) {
-  char short_form[3] = {'-', (char)optopt, '\0'};
-  const char *word = argv[optind - 1];
-  if (optopt > ' ' && optopt < 127 && strncmp(word, "--", 2) != 0) word = short_form;
-  return fault_set(why, "%s '%s'; --help shows what there is",
-                   letter == ':' ? "no value after" : "no such option:", word);
-}
-
 int settings_parse(settings *s, int argc, char **argv, fault *why) {
   int letter;
   *s = (settings){.mine = -1, .seed = 1, .learn_limit = 10.0};
   opterr = 0;
   optind = 1;
   while ((letter = getopt_long(argc, argv, ":o:qh", longs, NULL)) != -1) {
-    if (letter == '?' || letter == ':') return refuse(letter, argv, why);
+    if (letter == '?' || letter == ':') return refuse_option(NULL, letter, argv[optind - 1], longs, why);
     if (take_plain(s, letter, optarg) || take_mark(s, letter, optarg)) continue;
     if (take_value(s, letter, optarg, why) != 0) return -1;
   }

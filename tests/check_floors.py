@@ -20,7 +20,13 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:<([^>]+)>|"([^"]+)"|(\S+))'
 FLOATING = re.compile(r"\b(?:float|double)\b|(?<![\w.])(?:\d+\.\d*|\.\d+|\d+[eE][+-]?\d+)")
 UMBRELLAS = {"robot", "learn"}
 # The demo's libraries, and the one file that knows of each.
-HOMES = {"box2d/": "demo/world/world.c", "lcm/": "demo/bus/bus.c", "civetweb.h": "demo/live/live.c"}
+HOMES = {
+    "box2d/": "demo/world/world.c",
+    "lcm/": "demo/bus/bus.c",
+    "civetweb.h": "demo/live/live.c",
+    "spng.h": "tools/reader/png.c",
+    "stb_image.h": "tools/reader/bmp.c",
+}
 
 
 def read_floors(document):

@@ -269,7 +269,7 @@ static void test_games_that_cannot_be_are_refused(void) {
 static void test_files_and_options_that_are_wrong_are_refused(void) {
   write_file("games.csv", "place\n1\n");
   run_tool(&result, "belief small.txt");
-  expect_refusal("quarter belief: ", "--history");
+  expect_refusal("belief: ", "--history");
   run_tool(&result, "belief small.txt --belief none.qtb");
   expect_refusal("none.qtb: ", "--history");
   run_tool(&result, "belief small.txt --history none.csv");

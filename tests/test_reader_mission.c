@@ -110,7 +110,7 @@ static void test_map_faults(void) {
   refuse("map: [a.txt]\n", "m.yaml:1", "'map' is a list", "give a text");
   refuse("map: m.yaml\n", "m.yaml:1", "names another mission", "its map");
   scratch_write("p.pgm", "P2 1 1 1 1");
-  refuse("map: p.pgm\n", "m.yaml:1", "names an image", "map_server YAML");
+  refuse("map: p.pgm\n", "m.yaml:1", "names a PGM image", "map_server YAML");
 }
 
 static void test_lengths_need_a_map_with_metres(void) {
@@ -204,7 +204,7 @@ static void test_more_than_the_build_holds(void) {
 
 static void test_yaml_that_is_none(void) {
   refuse("map: [a\nrobots: }\n", "m.yaml:2:7", "not valid YAML", "mend the line");
-  refuse("map: a.txt\n\trobots: 1\n", "m.yaml:2:1", "not valid YAML", "tab");
+  refuse("map: a.txt\n\trobots: 1\n", "m.yaml:2", "indented by a tab", "use blanks");
   refuse("map: a.txt\n---\nmap: b.txt\n", "m.yaml:3", "second YAML document", "keep one");
   refuse("- map\n- robots\n", "m.yaml:1", "holds no keys, but a list", "key: value");
   refuse("# nothing\n\n", "m.yaml", "holds no keys", "key: value");

@@ -5,7 +5,7 @@
 #include "unity.h"
 
 static fault why;
-static pgm image;
+static image it;
 
 void setUp(void) {
   why.text[0] = '\0';
@@ -21,25 +21,25 @@ static int decode(const void *data, size_t size) {
   TEST_ASSERT_NOT_NULL(bytes.data);
   memcpy(bytes.data, data, size);
   bytes.data[size] = '\0';
-  int result = pgm_read(&image, "m.pgm", &bytes, &why);
+  int result = pgm_read(&it, "m.pgm", &bytes, &why);
   free(bytes.data);
   return result;
 }
 
 static void expect(const void *data, size_t size, int width, int height, int maximum, const uint16_t *samples) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, decode(data, size), why.text);
-  TEST_ASSERT_EQUAL_INT(width, image.width);
-  TEST_ASSERT_EQUAL_INT(height, image.height);
-  TEST_ASSERT_EQUAL_INT(maximum, image.maximum);
-  TEST_ASSERT_EQUAL_UINT16_ARRAY(samples, image.samples, width * height);
-  pgm_free(&image);
+  TEST_ASSERT_EQUAL_INT(width, it.width);
+  TEST_ASSERT_EQUAL_INT(height, it.height);
+  TEST_ASSERT_EQUAL_INT(maximum, it.maximum);
+  TEST_ASSERT_EQUAL_UINT16_ARRAY(samples, it.samples, width * height);
+  image_free(&it);
 }
 
 static void refuse(const void *data, size_t size, const char *what) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(-1, decode(data, size), what);
   TEST_ASSERT_EQUAL_STRING_LEN("m.pgm:", why.text, 6);
   if (strstr(why.text, what) == NULL) TEST_FAIL_MESSAGE(why.text);
-  TEST_ASSERT_NULL(image.samples);
+  TEST_ASSERT_NULL(it.samples);
 }
 
 #define EXPECT(text, width, height, maximum, samples) expect(text, sizeof(text) - 1, width, height, maximum, samples)

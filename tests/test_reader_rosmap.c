@@ -154,7 +154,23 @@ static void test_a_map_alone_is_refused_with_how_to_write_a_mission(void) {
   scratch_refuse("m.yaml", "m.yaml", "without robots and places", "map: m.yaml");
   scratch_write("m.pgm", "P2 2 1 255\n255");
   scratch_refuse("m.yaml", "m.pgm", "is cut off", "copy the file anew");
-  scratch_refuse("m.pgm", "m.pgm", "an image, which has no scale", "mission YAML");
+  scratch_refuse("m.pgm", "m.pgm", "a PGM image, which has no scale", "mission YAML");
+}
+
+/* What is proposed is a mission that is read. */
+static void test_the_mission_that_is_proposed_for_a_map_is_sound(void) {
+  write_map(YAML("negate: 0\n"), "P2 4 3 255\n0 0 0 0 0 255 255 0 255 0 0 255\n", "");
+  scratch_refuse("m.yaml", "m.yaml", "map: m.yaml", "a line each");
+  char mission[600] = "", *to = mission;
+  for (const char *from = strchr(scratch_fault.text, '"'); from != NULL; from = strchr(from, '"')) {
+    const size_t length = strcspn(from + 1, "\"");
+    to += sprintf(to, "%.*s\n", (int)length, from + 1);
+    from += length + 2;
+  }
+  scratch_write("mission.yaml", mission);
+  scratch_read("mission.yaml");
+  TEST_ASSERT_EQUAL_INT(5, scratch_input.mission.start[0]);
+  TEST_ASSERT_EQUAL_INT(6, scratch_input.mission.place[0]);
 }
 
 /* A map YAML that lacks or spoils one line. */
@@ -198,7 +214,7 @@ static void test_wrong_values(void) {
       {"resolution: 1\norigin: [0, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
        "'origin' is not a list of x, y and yaw", "origin:"},
       {"resolution: 1\norigin: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "'origin' is not a list", "origin:"},
-      {"resolution: 1\norigin: [0, 0, 1.57]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "yaw of 1.57", "set yaw to 0"},
+      {"resolution: 1\norigin: [0, 0, .inf]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "origin's yaw", "number"},
       {"resolution: 1\norigin: [0, .nan, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n", "origin's y", "number"},
       {"resolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 65\nfree_thresh: 0.2\n", "'occupied_thresh' is 65",
        "0 to 1"},
@@ -221,7 +237,153 @@ static void test_faults_of_the_image(void) {
   refuse_yaml("image: other.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
               "other.pgm", "no such file", "m.yaml:1)");
   write_map(YAML("negate: 0\n"), "GIF89a", MISSION(""));
-  scratch_refuse("mission.yaml", "m.pgm", "not a PGM", "convert");
+  scratch_refuse("mission.yaml", "m.pgm", "not a PGM, PNG or BMP", "convert");
+}
+
+/* ---- the savers' grey ---- */
+
+#define SAVED(more) "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.25\n" more
+#define GREYS "P2 5 1 255\n254 205 205 254 0\n"
+
+static void expect_note(const char *what) {
+  for (int i = 0; i < scratch_input.note.count; i++)
+    if (strstr(scratch_input.note.text[i], what) != NULL) return;
+  TEST_FAIL_MESSAGE(what);
+}
+
+static void expect_no_note(const char *what) {
+  for (int i = 0; i < scratch_input.note.count; i++)
+    if (strstr(scratch_input.note.text[i], what) != NULL) TEST_FAIL_MESSAGE(scratch_input.note.text[i]);
+}
+
+#define FAR_ENDS(more) "map: m.yaml\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 3, row: 0}]\n" more
+
+static void test_unknown_grey_that_the_thresholds_make_free_is_told(void) {
+  write_map(SAVED("negate: 0\n"), GREYS, FAR_ENDS(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1111#|");
+  expect_note("2 cells of the image are unknown-grey (205) and free by its free_thresh of 0.25");
+  expect_note("\"unknown: blocked\"");
+}
+
+static void test_unknown_blocked_written_out_closes_the_grey(void) {
+  write_map(SAVED("negate: 0\n"), GREYS, FAR_ENDS("unknown: blocked\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1##1#|");
+  expect_no_note("unknown-grey");
+  write_map(SAVED("negate: 0\nmode: scale\n"), GREYS, FAR_ENDS("unknown: blocked\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1##1#|");
+}
+
+static void test_unknown_free_written_out_is_not_told(void) {
+  write_map(SAVED("negate: 0\n"), GREYS, FAR_ENDS("unknown: free\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1111#|");
+  expect_no_note("unknown-grey");
+}
+
+static void test_the_grey_in_other_modes_and_maxima(void) {
+  /* scale: the same rule; negate: the grey is seen as its negative, 50; raw: 205 is unknown whatever the thresholds. */
+  write_map(SAVED("negate: 0\nmode: scale\n"), GREYS, FAR_ENDS(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1111#|");
+  expect_note("2 cells of the image are unknown-grey");
+  write_map(SAVED("negate: 1\n"), "P2 5 1 255\n1 50 50 1 255\n", FAR_ENDS(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1111#|");
+  expect_note("2 cells of the image are unknown-grey");
+  write_map(SAVED("negate: 1\n"), "P2 5 1 255\n1 50 205 1 255\n", FAR_ENDS("unknown: blocked\n"));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1##1#|");
+  write_map(SAVED("negate: 0\nmode: raw\n"), "P2 5 1 255\n0 205 205 0 100\n", FAR_ENDS(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1##1#|");
+  expect_no_note("unknown-grey");
+  write_map(SAVED("negate: 0\n"), "P2 5 1 65535\n65278 52685 52684 65278 0\n", FAR_ENDS(""));
+  scratch_read("mission.yaml");
+  expect_note("1 cell of the image is unknown-grey");
+  write_map(SAVED("negate: 0\n"), "P2 5 1 100\n100 80 81 100 0\n", FAR_ENDS(""));
+  scratch_read("mission.yaml");
+  expect_no_note("unknown-grey"); /* no sample of 100 is 205 of 255 */
+}
+
+static void test_thresholds_that_see_the_grey_need_no_note(void) {
+  write_map("image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.196\nnegate: 0\n",
+            GREYS, FAR_ENDS(""));
+  scratch_read("mission.yaml");
+  scratch_expect_cells("1##1#|");
+  expect_no_note("unknown-grey");
+}
+
+/* ---- other notes and mends ---- */
+
+static void test_robots_without_a_size_are_told_to_be_points(void) {
+  write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION(""));
+  scratch_read("mission.yaml");
+  expect_note("robots are points, and cells the map's pixels of 0.5 m");
+  static const char *const given[] = {MISSION("robot_radius: 0\n"), MISSION("cell_size: 0.5\n"),
+                                      MISSION("robot_radius: 0.1\n")};
+  for (size_t i = 0; i < sizeof given / sizeof *given; i++) {
+    write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", given[i]);
+    scratch_read("mission.yaml");
+    expect_no_note("points");
+  }
+}
+
+static void test_where_nothing_is_left_free_its_reason_is_named(void) {
+  write_map(YAML("negate: 0\n"), "P2 3 1 255\n255 0 255\n", MISSION("cell_size: 1\n"));
+  scratch_refuse("mission.yaml", "mission.yaml", "no cell is left free: cells of 1 m are larger than the free space",
+                 "pixels are 0.5 m");
+  write_map(YAML("negate: 0\n"), "P2 3 1 255\n255 0 255\n", MISSION("robot_radius: 2\n"));
+  scratch_refuse("mission.yaml", "mission.yaml", "the robot_radius of 2 m is larger than the free space", "smaller");
+  write_map(YAML("negate: 0\n"), "P2 3 1 255\n0 0 0\n", MISSION(""));
+  scratch_refuse("mission.yaml", "m.pgm", "no pixel is free by the thresholds of", "negate");
+}
+
+/* What is proposed for a threshold that is missing is not refused next. */
+static void test_a_proposed_threshold_fits_the_other(void) {
+  static const char *const other[] = {"occupied_thresh: 0.05", "occupied_thresh: 0", "occupied_thresh: 0.65",
+                                      "free_thresh: 0.9",      "free_thresh: 0.3",   "free_thresh: 1"};
+  for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
+    char yaml[400], line[64];
+    snprintf(yaml, sizeof yaml, "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n%s\n", other[i]);
+    write_map(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
+    scratch_refuse("mission.yaml", "m.yaml:1", "lacks the key", "_thresh: ");
+    const char *from = strstr(scratch_fault.text, "add \"");
+    TEST_ASSERT_NOT_NULL(from);
+    snprintf(line, sizeof line, "%.*s\n", (int)strcspn(from + 5, "\""), from + 5);
+    strcat(yaml, line);
+    write_map(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
+    if (input_read(&scratch_input, scratch_path("mission.yaml"), &scratch_options, &scratch_fault) != 0)
+      TEST_ASSERT_NULL_MESSAGE(strstr(scratch_fault.text, "above 'occupied_thresh'"), scratch_fault.text);
+  }
+}
+
+/* The cell size that is named is taken, and a hair less is not. */
+#define INSIDE(more) "map: m.yaml\nrobots: [{column: 1, row: 9}]\nplaces: [{column: 2, row: 9}]\n" more
+static void test_the_smallest_cell_size_that_fits_does(void) {
+  static const int sizes[][2] = {{1100, 1000}, {1025, 1024}, {2000, 1500}, {4097, 257}};
+  for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+    const size_t pixels = (size_t)sizes[i][0] * (size_t)sizes[i][1];
+    char *image = malloc(pixels + 64), mission[200];
+    const int head = sprintf(image, "P5 %d %d 255\n", sizes[i][0], sizes[i][1]);
+    memset(image + head, 255, pixels);
+    scratch_write("m.yaml", YAML("negate: 0\n"));
+    scratch_write_bytes("m.pgm", image, (size_t)head + pixels);
+    free(image);
+    scratch_write("mission.yaml", INSIDE("cell_size: 0.05\n"));
+    scratch_refuse("mission.yaml", "m.yaml", "most that this build holds", "is the smallest that fits");
+    const char *from = strstr(scratch_fault.text, "\"cell_size: ");
+    TEST_ASSERT_NOT_NULL(from);
+    const double least = strtod(from + strlen("\"cell_size: "), NULL);
+    snprintf(mission, sizeof mission, INSIDE("cell_size: %.10g\n"), least);
+    scratch_write("mission.yaml", mission);
+    scratch_read("mission.yaml");
+    snprintf(mission, sizeof mission, INSIDE("cell_size: %.10g\n"), least * 0.985);
+    scratch_write("mission.yaml", mission);
+    scratch_refuse("mission.yaml", "m.yaml", "most that this build holds", "is the smallest that fits");
+  }
 }
 
 static void test_more_cells_than_the_build_holds(void) {
@@ -247,10 +409,20 @@ int main(void) {
   RUN_TEST(test_cell_size_of_the_command_line_wins);
   RUN_TEST(test_other_tools_keys_are_ignored);
   RUN_TEST(test_a_map_alone_is_refused_with_how_to_write_a_mission);
+  RUN_TEST(test_the_mission_that_is_proposed_for_a_map_is_sound);
   RUN_TEST(test_missing_keys);
   RUN_TEST(test_mistyped_keys);
   RUN_TEST(test_wrong_values);
   RUN_TEST(test_faults_of_the_image);
+  RUN_TEST(test_unknown_grey_that_the_thresholds_make_free_is_told);
+  RUN_TEST(test_unknown_blocked_written_out_closes_the_grey);
+  RUN_TEST(test_unknown_free_written_out_is_not_told);
+  RUN_TEST(test_the_grey_in_other_modes_and_maxima);
+  RUN_TEST(test_thresholds_that_see_the_grey_need_no_note);
+  RUN_TEST(test_robots_without_a_size_are_told_to_be_points);
+  RUN_TEST(test_where_nothing_is_left_free_its_reason_is_named);
+  RUN_TEST(test_a_proposed_threshold_fits_the_other);
+  RUN_TEST(test_the_smallest_cell_size_that_fits_does);
   RUN_TEST(test_more_cells_than_the_build_holds);
   return UNITY_END();
 }

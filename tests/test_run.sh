@@ -41,13 +41,13 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   expect "packages of games" "$(packages games)" "$found"
   expect "packages of losses" "$(packages losses)" "$found"
   expect "packages of test" "$(packages test)" "$found"
-  expect "tools of demo" "$(command=demo missing_tools)" ""
+  expect "tools of demo" "$(command=demo missing_tools | paste -sd ' ')" "libspng-dev libstb-dev"
   has_browser_package() { return 1; }
   expect "tools of test where there is no browser to be had" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "iproute2 nftables spin"
+    "iproute2 libspng-dev libstb-dev nftables spin"
   has_browser_package() { return 0; }
   expect "tools of test" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "chromium chromium-driver iproute2 nftables spin"
+    "chromium chromium-driver iproute2 libspng-dev libstb-dev nftables spin"
 }
 
 test_without_root_one_line_to_paste_names_all() {
@@ -65,7 +65,7 @@ test_tools_that_cannot_be_installed_do_not_stop_a_test() {
   find_root() { return 0; }
   install_packages() { return 1; }
   install_missing 2>said.txt || expect "a tool" missing "gone on without"
-  expect "said of a tool" "$(cat said.txt)" "Going on: the tests that need them are skipped."
+  expect "said of a tool" "$(cat said.txt)" "Going on: what needs them is skipped."
   missing=(cmake)
   install_missing 2>said.txt && expect "a package" "gone on without" refused
   return 0

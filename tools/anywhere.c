@@ -49,10 +49,10 @@ static int check_size(const builder *b, fault *why) {
   const double bytes = states * qtr_record_bytes(&b->board);
   if (bytes <= b->o->table_limit * 1e6) return 0;
   return fault_set(
-      why,
-      "%s: the table would take about %.3g MB for %.3g games, and --table-limit allows %.3g MB; allow more, or "
-      "make the regions larger with --region-size and --region-diameter",
-      b->o->input, bytes / 1e6, count_games(b), b->o->table_limit);
+      why, "%s: the table would take about %.3g MB for %.3g games, and --table-limit allows %.3g MB; allow more, or %s",
+      b->o->input, bytes / 1e6, count_games(b), b->o->table_limit,
+      b->o->any_starts ? "make the regions larger with --region-size and --region-diameter"
+                       : "list fewer places: with --cleared any each doubles the games");
 }
 
 /* ---- the board of all starts ---- */

@@ -32,12 +32,14 @@ static const char help[] =
     "      --detection P        how often a search sees a target that is there (default 1); for rows with found 0\n"
     "  -o, --output FILE        write the places as CSV, for a mission's places_csv; '-' is standard output\n"
     "      --json[=FILE]        print the estimate as JSON, or write it to FILE\n"
-    "      --cell-size M        as in 'quarter learn'\n"
+    "      --cell-size M, --snap METRES     as in 'quarter learn'\n"
+    "      --skip-unreachable   leave out places that are on no free cell; the others keep their numbers\n"
     "  -q, --quiet              say nothing\n"
     "\n"
     "Exit status: 0 done; 2 bad input, nothing written.\n";
 
-static const option_set set = {"belief", " history belief prior keep detection output json cell-size quiet "};
+static const option_set set = {
+    "belief", " history belief prior keep detection output json cell-size skip-unreachable snap quiet "};
 
 /* All that is read and worked out. */
 typedef struct {
@@ -116,13 +118,15 @@ static int take_up(study *s, fault *why) {
   struct stat about;
   if (o->belief != NULL && stat(o->belief, &about) == 0) return load(s, why);
   if (o->history != NULL) return begin(s, why);
-  if (o->belief == NULL) return fault_set(why, "quarter belief: name the games to learn from with --history FILE");
+  if (o->belief == NULL) return fault_set(why, "belief: name the games to learn from with --history FILE");
   return file_fault(why, o->belief, 0, 0, "no such belief yet; name the games to begin it with by --history FILE");
 }
 
 static int learn(study *s, fault *why) {
-  const input_options reading = {s->o->cell_size, 0};
-  if (input_read(&s->in, s->o->input, &reading, why) != 0 || take_up(s, why) != 0) return -1;
+  const input_options reading = {s->o->cell_size, 0, s->o->snap, s->o->skip_unreachable};
+  if (input_read(&s->in, s->o->input, &reading, why) != 0) return -1;
+  notes_print(&s->in.note, s->in.map_notes);
+  if (take_up(s, why) != 0) return -1;
   qtr_belief_estimate(&s->belief, s->before);
   if (s->o->history != NULL && history_read(&s->tally, &s->belief, &s->in, s->o->history, s->o->detection, why) != 0)
     return -1;
@@ -156,6 +160,7 @@ static void write_csv(FILE *out, const study *s) {
 
 static void write_place(json *j, const study *s, unsigned place) {
   json_flat_object(j, NULL);
+  json_integer(j, "number", s->in.place_number[place]);
   json_integer(j, "column", column_of(s, place));
   json_integer(j, "row", row_of(s, place));
   if (s->in.frame.metric) {
@@ -190,11 +195,12 @@ static void write_json(FILE *out, const study *s) {
   json_array(&j, "place");
   for (unsigned place = 0; place < s->belief.places; place++) write_place(&j, s, place);
   json_end_array(&j);
+  notes_json(&s->in.note, &j);
   json_end_object(&j);
 }
 
 static void write_place_line(FILE *out, const study *s, unsigned place) {
-  fprintf(out, "  place %u (column %u, row %u): ", place, column_of(s, place), row_of(s, place));
+  fprintf(out, "  place %u (column %u, row %u): ", s->in.place_number[place], column_of(s, place), row_of(s, place));
   if (s->o->history != NULL)
     fprintf(out, "%.4g -> %.4g, found %s\n", s->before[place], s->after[place],
             counted(s->tally.found[place], "time").text);

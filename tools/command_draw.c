@@ -2,6 +2,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "commands.h"
 #include "count.h"
@@ -28,7 +29,7 @@ static const char help[] =
     "2nd, ...), where there is room, and a browser shows it on pointing at the place. '-o -' is standard output.\n"
     "\n"
     "  -o, --output FILE        the SVG picture (required)\n"
-    "      --robots K, --cell-size M, --skip-unreachable     as in 'quarter learn', for inputs\n"
+    "      --robots K, --cell-size M, --skip-unreachable, --snap METRES     as in 'quarter learn', for inputs\n"
     "      --regions            draw the borders of the map's regions\n"
     "      --region-size N --region-diameter D     cells of a region, and steps between any two (default 25, 15)\n"
     "      --region-likelihood W                   as in 'quarter learn'\n"
@@ -40,7 +41,7 @@ static const char help[] =
     "Exit status: 0 done; 2 bad input, nothing written.\n";
 
 static const option_set set = {"draw",
-                               " output json quiet robots cell-size skip-unreachable regions region-size"
+                               " output json quiet robots cell-size skip-unreachable snap regions region-size"
                                " region-diameter region-likelihood spots spot-size spot-diameter spot-likelihood "};
 
 #define LINES_MOST 8
@@ -110,6 +111,7 @@ static int from_input(sheet *s, const options *o, fault *why) {
   s->d.rows = mission->rows;
   s->d.cell_size = desk->drawn.in.frame.metric ? desk->drawn.in.frame.cell_size : 0.0;
   s->d.places = mission->places;
+  s->d.number = desk->drawn.in.place_number;
   memcpy(s->place, mission->place, sizeof s->place);
   memcpy(s->likelihood, mission->weight, sizeof s->likelihood);
   s->d.seekers = mission->seekers;
@@ -253,6 +255,7 @@ static void write_json(FILE *out, const void *what) {
     json_natural(&j, "regions", s->d.regions);
     json_number(&j, "mean_distance", s->mean_distance);
   }
+  notes_json(&desk->drawn.in.note, &j);
   json_end_object(&j);
 }
 
@@ -291,8 +294,20 @@ static int fill_sheet(sheet *s, const options *o, fault *why) {
   return status;
 }
 
+/* A name that promises another format would be believed. */
+static int check_output(const options *o, fault *why) {
+  static const char *const others[] = {".png", ".jpg", ".jpeg", ".pdf", ".gif", ".bmp", ".webp", ".eps", ".ps", ".tif"};
+  if (o->output == NULL) return fault_set(why, "draw: say where to with -o FILE.svg");
+  const char *dot = strrchr(o->output, '.');
+  for (size_t i = 0; dot != NULL && i < sizeof others / sizeof others[0]; i++)
+    if (strcasecmp(dot, others[i]) == 0)
+      return fault_set(why, "-o %s: the picture is an SVG; name it %.*s.svg, and convert that", o->output,
+                       (int)(dot - o->output), o->output);
+  return 0;
+}
+
 static int draw(const options *o, fault *why) {
-  if (o->output == NULL) return fault_set(why, "quarter draw: say where to with -o FILE.svg");
+  if (check_output(o, why) != 0) return -1;
   desk = memory_take(sizeof *desk, why);
   if (desk == NULL) return -1;
   set_arrays(&picture);

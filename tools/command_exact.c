@@ -22,13 +22,17 @@ static const char help[] =
     "      --gamma G            discount a step, above 0 and below 1 (default 0.99)\n"
     "      --rule RULE          free (robots may stand down, the default) or paper (Table 1: they must choose)\n"
     "      --cell-size M        metres a cell, for ROS maps\n"
-    "      --skip-unreachable   leave out places that no robot can reach\n"
+    "      --skip-unreachable   leave out places that no robot can reach, or that are on no free cell\n"
+    "      --snap METRES        move robots and places that are on no free cell to the nearest one, as far as this "
+    "(cells, "
+    "on a\n"
+    "                           map without metres); a place takes a cell that no other place has\n"
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no report but JSON\n"
     "\n"
     "Exit status: 0 done; 2 bad input, or more places than this takes.\n";
 
-static const option_set set = {"exact", " json quiet robots objective rule gamma cell-size skip-unreachable "};
+static const option_set set = {"exact", " json quiet robots objective rule gamma cell-size skip-unreachable snap "};
 
 static problem *solved;
 
@@ -79,6 +83,7 @@ static int solve(const options *o, report *r, fault *why) {
   free(steps);
   if (status != 0) return -1;
   fill_report(r, &solution, &solved->in.mission);
+  report_number_routes(r);
   r->seconds = clock_seconds() - begin;
   return report_write(r, why);
 }

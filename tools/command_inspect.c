@@ -1,4 +1,5 @@
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 
 #include "commands.h"
@@ -22,6 +23,18 @@ static const char help[] =
 
 static const option_set set = {"inspect", " json quiet "};
 
+/* The shortest decimal that a table's weights, of 32 bits, do not tell from the likelihood: 0.4, not 0.39999999981. */
+static double told_probability(const table *t, unsigned place) {
+  const double held = table_probability(t, place), unit = 1.0 / 4294967296.0;
+  for (int digits = 1; digits < 17; digits++) {
+    char text[32];
+    snprintf(text, sizeof text, "%.*g", digits, held);
+    const double shorter = strtod(text, NULL);
+    if (fabs(shorter - held) <= unit) return shorter;
+  }
+  return held;
+}
+
 static void write_places(json *j, const table *t) {
   const unsigned columns = t->policy.grid.columns;
   json_array(j, "place");
@@ -29,7 +42,7 @@ static void write_places(json *j, const table *t) {
     json_flat_object(j, NULL);
     json_integer(j, "column", qtr_policy_cell(&t->policy, place) % columns);
     json_integer(j, "row", qtr_policy_cell(&t->policy, place) / columns);
-    json_number(j, "probability", table_probability(t, place));
+    json_number(j, "probability", told_probability(t, place));
     json_end_object(j);
   }
   json_end_array(j);

@@ -29,7 +29,11 @@ static const char help[] =
     "      --gamma G            discount a step, above 0 and below 1 (default 0.99)\n"
     "      --rule RULE          free (robots may stand down, the default) or paper (Table 1: they must choose)\n"
     "      --cell-size M        metres a cell, for ROS maps\n"
-    "      --skip-unreachable   leave out places that no robot can reach\n"
+    "      --skip-unreachable   leave out places that no robot can reach, or that are on no free cell\n"
+    "      --snap METRES        move robots and places that are on no free cell to the nearest one, as far as this "
+    "(cells, "
+    "on a\n"
+    "                           map without metres); a place takes a cell that no other place has\n"
     "      --gap X              stop within this relative gap of the optimum (default 1e-5; the paper setting, with "
     "0,\n"
     "                           learns on until something else ends it)\n"
@@ -68,11 +72,11 @@ static const char help[] =
 /* Of the time limit, where other starts than the mission's take the rest of it. */
 #define SEARCH_SHARE 0.5
 
-static const option_set set = {"learn",
-                               " output c curve json quiet robots objective rule gamma cell-size skip-unreachable gap"
-                               " time-limit episodes seed learner explore alpha aggregate region-size region-diameter"
-                               " region-likelihood region-times"
-                               " spot-size spot-diameter spot-order spot-likelihood starts cleared table-limit "};
+static const option_set set = {
+    "learn", " output c curve json quiet robots objective rule gamma cell-size skip-unreachable snap gap"
+             " time-limit episodes seed learner explore alpha aggregate region-size region-diameter"
+             " region-likelihood region-times"
+             " spot-size spot-diameter spot-order spot-likelihood starts cleared table-limit "};
 
 static study *learnt;
 
@@ -137,6 +141,7 @@ static int write_table(report *r, const options *o, fault *why) {
     r->table_bytes = size;
     r->table_records = t.policy.records;
     table_routes(&t, r->route);
+    report_number_routes(r);
     if (o->output != NULL) status = write_bytes(o->output, t.bytes.data, size, false, why);
     if (status == 0 && o->c_output != NULL) status = write_bytes(o->c_output, t.bytes.data, size, true, why);
   }
@@ -152,10 +157,25 @@ static void count(report *r, const options *o) {
   r->q_bytes = (uint64_t)learnt->learner.table.entries * qtr_qtable_entry_bytes(&learnt->learner.table);
 }
 
+/* What the table cannot hold in its first format. */
+static void note_limits(const options *o) {
+  input *in = &learnt->p.in;
+  const int before = in->note.count;
+  if (o->output == NULL && o->c_output == NULL) return;
+  if (in->frame.yaw != 0.0)
+    notes_add(&in->note,
+              "%s: the map is turned by %.4g rad, which a table cannot hold yet: it has no frame (cell_size 0), and "
+              "robots must turn their poses into cells themselves",
+              o->input, in->frame.yaw);
+  input_note_numbers(in);
+  notes_print(&in->note, before);
+}
+
 static int learn(const options *o, report *r, fault *why) {
   stop_after(o->time_limit);
   learnt = memory_take(sizeof *learnt, why);
   if (learnt == NULL || study_read(learnt, o, why) != 0) return -1;
+  note_limits(o);
   stop_after(o->time_limit * (o->any_starts || o->any_cleared ? SEARCH_SHARE : 1.0));
   const double begin = stop_seconds();
   if (study_begin(learnt, o, why) != 0) return -1;

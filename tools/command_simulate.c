@@ -33,6 +33,10 @@ static const char help[] =
     "In JSON: visits are each place's first one; duplicates counts the later ones; value and expected_time are what "
     "the\n"
     "first visits earn (expected_time null if a place was left).\n"
+    "Places have the table's numbers: the input's, but where --skip-unreachable left some out; then 'quarter learn' "
+    "prints "
+    "which\n"
+    "is which.\n"
     "\n"
     "Exit status: 0 found, or all places visited; 2 bad input; 4 places were left unvisited and no target was found.\n";
 

@@ -26,7 +26,7 @@ static const char help[] =
     "      --time-limit S       end with what has been tried after this many seconds\n"
     "      --learner SETTING, --explore PLAN, --alpha A, --seed N, --robots K, --objective WHAT, --gamma G, --rule "
     "RULE,\n"
-    "      --cell-size M, --skip-unreachable     as in 'quarter learn'\n"
+    "      --cell-size M, --skip-unreachable, --snap METRES     as in 'quarter learn'\n"
     "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
     "  -q, --quiet              no progress, no report but JSON\n"
     "\n"
@@ -35,7 +35,7 @@ static const char help[] =
     "plan, nothing written; 130 (143) ended by Ctrl-C (SIGTERM), what was tried until then is reported.\n";
 
 static const option_set set = {
-    "tune", " json quiet robots objective rule gamma cell-size skip-unreachable time-limit episodes seed learner"
+    "tune", " json quiet robots objective rule gamma cell-size skip-unreachable snap time-limit episodes seed learner"
             " explore alpha budget-entries "};
 
 #define TRIES_MOST 512
@@ -327,6 +327,7 @@ static void write_json(FILE *out, const void *what) {
     json_end_object(&j);
   }
   json_end_array(&j);
+  notes_json(&tuned->p.in.note, &j);
   json_end_object(&j);
 }
 

@@ -4,22 +4,47 @@
 #include <stdio.h>
 #include <string.h>
 
+void fault_clean(char *text) {
+  for (char *c = text; *c != '\0'; c++)
+    if ((unsigned char)*c < 0x20 || (unsigned char)*c == 0x7f) *c = '?';
+}
+
+static void write_line(char *text, const char *format, va_list arguments) {
+  int length = vsnprintf(text, FAULT_LINE, format, arguments);
+  if (length < 0) strcpy(text, "an error that could not be put in words");
+  if (length >= FAULT_LINE) memcpy(text + FAULT_LINE - 4, "...", 4);
+  fault_clean(text);
+}
+
 int fault_set(fault *why, const char *format, ...) {
   va_list arguments;
   why->status = EXIT_BAD_INPUT;
   va_start(arguments, format);
-  int length = vsnprintf(why->text, sizeof why->text, format, arguments);
+  write_line(why->text, format, arguments);
   va_end(arguments);
-  if (length < 0) strcpy(why->text, "an error that could not be put in words");
-  if (length >= (int)sizeof why->text) memcpy(why->text + sizeof why->text - 4, "...", 4);
-  /* Names and contents of files end up in here: one line must stay one line, and a terminal must not be steered. */
-  for (char *c = why->text; *c != '\0'; c++) {
-    if ((unsigned char)*c < 0x20 || (unsigned char)*c == 0x7f) *c = '?';
+  return -1;
+}
+
+int fault_add(fault *why, const char *format, ...) {
+  why->status = EXIT_BAD_INPUT;
+  size_t used = strlen(why->text);
+  if (used + FAULT_LINE + 8 > sizeof why->text) {
+    if (strcmp(why->text + used - 3, "...") != 0) strcpy(why->text + used, "\n...");
+    return -1;
   }
+  va_list arguments;
+  va_start(arguments, format);
+  why->text[used] = '\n';
+  write_line(why->text + used + 1, format, arguments);
+  va_end(arguments);
   return -1;
 }
 
 int fault_exit(const fault *why) {
-  fprintf(stderr, "quarter: %s\n", why->text);
+  for (const char *line = why->text; line != NULL;) {
+    const char *end = strchr(line, '\n');
+    fprintf(stderr, "quarter: %.*s\n", end != NULL ? (int)(end - line) : (int)strlen(line), line);
+    line = end != NULL ? end + 1 : NULL;
+  }
   return why->status;
 }

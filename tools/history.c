@@ -6,11 +6,11 @@
 
 #include "count.h"
 #include "quarter/status.h"
+#include "reader/frame.h"
 #include "reader/near.h"
 #include "reader/text.h"
 
 #define WORD_SHOWN 60
-#define ON_A_LINE 1e-6 /* of a cell: as near to the line between two cells counts as on it */
 
 enum { GAME, FOUND, PLACE, COLUMN, ROW, X, Y, KINDS };
 static const char *const names[KINDS + 1] = {"game", "found", "place", "column", "row", "x", "y", NULL};
@@ -107,7 +107,7 @@ static int split_row(reading *r) {
 static int unknown_place(reading *r, const char *which) {
   return file_fault(r->why, r->path, r->lines.number, 0,
                     "no place of %s is %s; correct the line, or add the place to the mission (its places are 0 to %d)",
-                    file_short_path(r->in->path), which, r->in->mission.places - 1);
+                    file_short_path(r->in->path), which, r->in->places_stated - 1);
 }
 
 static int read_number(reading *r, double *value, int kind) {
@@ -125,9 +125,13 @@ static int place_by_number(reading *r, unsigned *place) {
   if (!text_integer(&number, it.text, it.length))
     return file_fault(r->why, r->path, r->lines.number, 0,
                       "the place \"%.*s\" is not a number; write that of the mission's place, 0 to %d", shown(it),
-                      it.text, r->in->mission.places - 1);
-  *place = (unsigned)number;
-  if (number >= 0 && number < r->in->mission.places) return 0;
+                      it.text, r->in->places_stated - 1);
+  for (*place = 0; *place < r->in->mission.places; ++*place)
+    if (r->in->place_number[*place] == number) return 0;
+  if (number >= 0 && number < r->in->places_stated)
+    return file_fault(r->why, r->path, r->lines.number, 0,
+                      "place %ld was left out of %s by --skip-unreachable; leave the line out too", number,
+                      file_short_path(r->in->path));
   snprintf(which, sizeof which, "number %ld", number);
   return unknown_place(r, which);
 }
@@ -145,21 +149,13 @@ static int place_by_cell(reading *r, unsigned *place) {
   return unknown_place(r, which);
 }
 
-/* Whether a coordinate lies in the cell around a centre; one on the line between two belongs to the upper one. */
-static bool is_in_cell(double coordinate, double centre, double cell_size) {
-  const double from = centre - (0.5 + ON_A_LINE) * cell_size;
-  return coordinate >= from && coordinate < from + cell_size;
-}
-
 static int place_by_point(reading *r, unsigned *place) {
-  const double size = r->in->frame.cell_size;
-  double x, y, centre_x, centre_y;
+  double x, y;
   char which[100];
   if (read_number(r, &x, X) != 0 || read_number(r, &y, Y) != 0) return -1;
-  for (*place = 0; *place < r->in->mission.places; ++*place) {
-    input_cell_centre(r->in, r->in->mission.place[*place], &centre_x, &centre_y);
-    if (is_in_cell(x, centre_x, size) && is_in_cell(y, centre_y, size)) return 0;
-  }
+  const qtr_cell cell = frame_cell(r->in, (input_position){true, x, y});
+  for (*place = 0; *place < r->in->mission.places; ++*place)
+    if (r->in->mission.place[*place] == cell) return 0;
   snprintf(which, sizeof which, "at x %g, y %g", x, y);
   return unknown_place(r, which);
 }

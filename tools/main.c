@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "fault.h"
 #include "quarter/status.h"
+#include "reader/near.h"
 
 static const char help[] =
     "quarter learn mission.yaml -o mission.qtr     divide the area among the robots, with a certificate\n"
@@ -32,6 +33,17 @@ static const struct {
 } commands[] = {{"learn", command_learn},     {"exact", command_exact}, {"simulate", command_simulate},
                 {"inspect", command_inspect}, {"draw", command_draw},   {"tune", command_tune},
                 {"belief", command_belief}};
+
+static void refuse_command(const char *word) {
+  enum { COUNT = sizeof commands / sizeof commands[0] };
+  const char *known[COUNT + 3] = {"--help", "--version"};
+  for (size_t i = 0; i < COUNT; i++) known[i + 2] = commands[i].name;
+  const char *meant = near_word(word, known);
+  if (meant != NULL)
+    fprintf(stderr, "quarter: there is no command '%s'; did you mean '%s'?\n", word, meant);
+  else
+    fprintf(stderr, "quarter: there is no command '%s'; 'quarter --help' lists them\n", word);
+}
 
 /* Whatever a command said, it counts as said only once it has got through. */
 static int finish(int status) {
@@ -61,7 +73,7 @@ static int run(int argc, char **argv) {
   }
   for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++)
     if (strcmp(word, commands[i].name) == 0) return commands[i].run(argc - 1, argv + 1);
-  fprintf(stderr, "quarter: there is no command '%s'; 'quarter --help' lists them\n", word);
+  refuse_command(word);
   return EXIT_BAD_INPUT;
 }
 

@@ -9,6 +9,7 @@
 
 #include "quarter/joint.h"
 #include "quarter/mission.h"
+#include "refusal.h"
 
 /* One row an option: how it is spelt, and how its value is taken. */
 typedef struct {
@@ -75,8 +76,7 @@ static int take_curve(options *o, const char *name, const char *value, fault *wh
 }
 
 static int take_json(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)why;
+  if (value != NULL && value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", name);
   o->json = true;
   o->json_path = value;
   return 0;
@@ -133,6 +133,11 @@ static int take_skip_unreachable(options *o, const char *name, const char *value
   (void)why;
   o->skip_unreachable = true;
   return 0;
+}
+
+static int take_snap(options *o, const char *name, const char *value, fault *why) {
+  return take_number(&o->snap, name, value, "of metres (of cells, on a map without metres), from 0 to 1e6", 0.0, 1e6,
+                     why);
 }
 
 static int take_learner(options *o, const char *name, const char *value, fault *why) {
@@ -374,6 +379,7 @@ static const option_row rows[] = {{"output", required_argument, 'o', take_output
                                   {"gamma", required_argument, 0, take_gamma},
                                   {"cell-size", required_argument, 0, take_cell_size},
                                   {"skip-unreachable", no_argument, 0, take_skip_unreachable},
+                                  {"snap", required_argument, 0, take_snap},
                                   {"learner", required_argument, 0, take_learner},
                                   {"explore", required_argument, 0, take_explore},
                                   {"alpha", required_argument, 0, take_alpha},
@@ -458,20 +464,11 @@ static void set_defaults(options *o) {
 
 static int check_input(options *o, const option_set *set, int argc, char **argv, fault *why) {
   if (o->help) return 0;
-  if (optind == argc)
-    return fault_set(why, "quarter %s: name an input; 'quarter %s --help' shows how", set->name, set->name);
+  if (optind == argc) return fault_set(why, "%s: name an input; 'quarter %s --help' shows how", set->name, set->name);
   if (optind + 1 < argc)
-    return fault_set(why, "quarter %s: one input at a time, and '%s' is a second one", set->name, argv[optind + 1]);
+    return fault_set(why, "%s: one input at a time, and '%s' is a second one", set->name, argv[optind + 1]);
   o->input = argv[optind];
   return 0;
-}
-
-/* What getopt did not take: a letter of a bundle, or a word. */
-static int refuse(const option_set *set, int code, const char *word, fault *why) {
-  const char short_form[3] = {'-', (char)optopt, '\0'};
-  if (optopt > ' ' && optopt < 127 && strncmp(word, "--", 2) != 0) word = short_form;
-  return fault_set(why, "quarter %s: %s '%s'; 'quarter %s --help' shows what there is", set->name,
-                   code == ':' ? "no value after" : "no such option, or a value too many:", word, set->name);
 }
 
 int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {
@@ -483,7 +480,7 @@ int options_parse(options *o, const option_set *set, int argc, char **argv, faul
   optind = 1;
   int code;
   while ((code = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
-    if (code == '?' || code == ':') return refuse(set, code, argv[optind - 1], why);
+    if (code == '?' || code == ':') return refuse_option(set->name, code, argv[optind - 1], longs, why);
     const option_row *row = find_row(code);
     if (row->take(o, row->name, optarg, why) != 0) return -1;
   }

@@ -39,6 +39,7 @@ typedef struct {
   double gamma;     /* 0: as the input says */
   double cell_size; /* metres; 0: as the input says */
   bool skip_unreachable;
+  double snap; /* metres, or cells on a map without; 0: nothing is moved */
   /* learning */
   int setting; /* enum qtr_setting */
   qtr_exploration_plan exploration;

@@ -17,7 +17,7 @@ static int64_t micrometres(double metres) {
 
 /* So that a robot can tell cells from its own pose. */
 static void set_frame(qtr_mission *mission, const input_frame *frame) {
-  if (!frame->metric) return;
+  if (!frame->metric || frame->yaw != 0.0) return;
   mission->frame.cell_size_um = (uint32_t)micrometres(frame->cell_size);
   mission->frame.origin_x_um = micrometres(frame->origin_x);
   mission->frame.origin_y_um = micrometres(frame->origin_y);
@@ -50,9 +50,7 @@ static void drop_unreachable(problem *p) {
   uint16_t kept = 0;
   for (uint16_t place = 0; place < mission->places; place++) {
     if (!qtr_game_reachable(&p->game, place)) continue;
-    mission->place[kept] = mission->place[place];
-    mission->weight[kept] = mission->weight[place];
-    p->in.place_origin[kept++] = p->in.place_origin[place];
+    input_keep_place(&p->in, kept++, place);
   }
   mission->places = kept;
 }
@@ -66,7 +64,7 @@ static int handle_unreachable(problem *p, const options *o, fault *why) {
   drop_unreachable(p);
   if (p->in.mission.places == 0)
     return fault_set(why, "%s: no seeker can reach any place; move the starts or the places", o->input);
-  fprintf(stderr, "quarter: warning: %s: left out, for no seeker can reach them: %s\n", o->input, names);
+  notes_add(&p->in.note, "%s: left out, for no seeker can reach them: %s", o->input, names);
   return 0;
 }
 
@@ -92,7 +90,7 @@ static int fault_discount(const problem *p, int place, const options *o, fault *
 }
 
 int problem_load(problem *p, const options *o, fault *why) {
-  const input_options reading = {o->cell_size, o->robots};
+  const input_options reading = {o->cell_size, o->robots, o->snap, o->skip_unreachable};
   if (input_read(&p->in, o->input, &reading, why) != 0) return -1;
   override(&p->in.mission, o);
   set_frame(&p->in.mission, &p->in.frame);
@@ -110,6 +108,7 @@ int problem_measure(problem *p, const options *o, fault *why) {
     status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
   }
   p->travel_seconds = stop_seconds() - begin;
+  notes_print(&p->in.note, 0);
   if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, o, why);
   /* All places take as long as those that were measured; what comes after them until the first plan takes no time. */
   if (status == QTR_ERR_STOPPED)

@@ -16,7 +16,7 @@ typedef struct {
 } problem;
 
 /* Read the options' input and set its game up. Places that no seeker can reach are an error that names them, or are
- * left out with a warning on standard error under --skip-unreachable. 0, or -1 with *why set. */
+ * left out under --skip-unreachable. The input's notes are printed. 0, or -1 with *why set. */
 int problem_read(problem *p, const options *o, fault *why);
 
 /* Its two halves: all but the travel times, with the outputs' names looked at; and those. */

@@ -8,6 +8,12 @@
 #include "print.h"
 #include "stop.h"
 
+void report_number_routes(report *r) {
+  for (int seeker = 0; seeker < r->p->in.mission.seekers; seeker++)
+    for (int i = 0; i < r->route[seeker].places; i++)
+      r->route[seeker].place[i] = r->p->in.place_number[r->route[seeker].place[i]];
+}
+
 void report_json_routes(json *j, const table_route *routes, int seekers) {
   json_array(j, "routes");
   for (int seeker = 0; seeker < seekers; seeker++) {
@@ -67,6 +73,10 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "table_bytes", r->table_bytes);
   json_natural(&j, "table_records", r->table_records);
   report_json_routes(&j, r->route, mission->seekers);
+  json_flat_array(&j, "place_numbers");
+  for (int place = 0; place < mission->places; place++) json_integer(&j, NULL, r->p->in.place_number[place]);
+  json_end_array(&j);
+  notes_json(&r->p->in.note, &j);
   if (r->anywhere) {
     json_flat_object(&j, "anywhere");
     json_natural(&j, "games", r->any.games);
@@ -90,12 +100,16 @@ void report_routes(FILE *out, const table_route *route, int seekers) {
   }
 }
 
+#define OPTIMAL 1e-5 /* the gap up to which a certified plan is told as optimal: --gap's default */
+
 static void write_verdict(FILE *out, const report *r) {
   const qtr_certificate *c = &r->certificate;
-  if (c->certified && c->gap < QTR_NEGLIGIBLE && c->negligible_places == 0)
+  const bool optimal = c->certified && c->gap <= OPTIMAL && c->negligible_places == 0;
+  if (optimal && c->gap < QTR_NEGLIGIBLE)
     fprintf(out, "certified optimal");
   else if (c->certified)
-    fprintf(out, "certified: within %.2g%% of the optimum", 100.0 * fmax(c->gap, QTR_NEGLIGIBLE));
+    fprintf(out, optimal ? "certified optimal to %.2g%%" : "certified: within %.2g%% of the optimum",
+            100.0 * fmax(c->gap, QTR_NEGLIGIBLE));
   else
     fprintf(out, "not certified: at most %.3g%% from the optimum when it ended (%s)", 100.0 * c->gap, r->ended);
   if (r->p->in.mission.objective == QTR_TIME)

@@ -25,10 +25,14 @@ typedef struct {
   double seconds;              /* from the travel times to the certificate */
   uint32_t table_bytes;        /* 0: no table was made */
   uint32_t table_records;
-  table_route route[QTR_MAX_SEEKERS];
-  bool anywhere; /* the table is for any start, or any places cleared */
+  table_route route[QTR_MAX_SEEKERS]; /* places as the input numbers them */
+  bool anywhere;                      /* the table is for any start, or any places cleared */
   anywhere_report any;
 } report;
+
+/* Let the routes name the places by the input's numbers. They name them by the table's, which knows only those that were
+ * not left out. */
+void report_number_routes(report *r);
 
 /* Print or write the report as the options say. 0, or -1 with *why set. */
 int report_write(const report *r, fault *why);

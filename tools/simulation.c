@@ -35,14 +35,20 @@ static int check_seeker(int seeker, const char *name, const table *t, fault *why
                    t->policy.board.seekers - 1);
 }
 
+static int check_place(unsigned place, const char *name, const table *t, fault *why) {
+  if (place < t->policy.board.places) return 0;
+  return fault_set(why, "--%s: there is no place %u; the table has places 0 to %d", name, place,
+                   t->policy.board.places - 1);
+}
+
 static int check_options(const table *t, const options *o, fault *why) {
   for (int i = 0; i < o->lates; i++)
     if (check_seeker(o->late[i].seeker, "late", t, why) != 0) return -1;
   for (int i = 0; i < o->losts; i++)
     if (check_seeker(o->lost[i].seeker, "lost", t, why) != 0) return -1;
-  if (o->target >= (int)t->policy.board.places)
-    return fault_set(why, "--target: there is no place %d; the table has places 0 to %d", o->target,
-                     t->policy.board.places - 1);
+  if (o->target != OPTIONS_UNSET && check_place((unsigned)o->target, "target", t, why) != 0) return -1;
+  for (unsigned place = 0; place < QTR_MAX_PLACES; place++)
+    if (qtr_places_has(&o->clear, place) && check_place(place, "clear", t, why) != 0) return -1;
   return 0;
 }
 

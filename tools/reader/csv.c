@@ -3,9 +3,10 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "count.h"
-#include "frame.h"
+#include "foreign.h"
 #include "sites.h"
 #include "text.h"
 
@@ -30,9 +31,27 @@ static int split(text_field fields[FIELDS], const input *in, const text_lines *l
 
 static int column_of(text_field it) {
   for (int i = 0; i < COLUMNS; i++) {
-    if (text_field_is(it, NAMES[i])) return i;
+    if (it.length == strlen(NAMES[i]) && strncasecmp(it.text, NAMES[i], it.length) == 0) return i;
   }
   return -1;
+}
+
+static bool is_geographic(const text_field fields[FIELDS]) {
+  static const char *const words[] = {"lat", "latitude", "lon", "lng", "long", "longitude"};
+  for (int i = 0; i < FIELDS; i++)
+    for (size_t w = 0; w < sizeof words / sizeof words[0]; w++)
+      if (fields[i].length == strlen(words[w]) && strncasecmp(fields[i].text, words[w], fields[i].length) == 0)
+        return true;
+  return false;
+}
+
+static int no_header(const input *in, const text_lines *lines, const text_field fields[FIELDS], fault *why) {
+  if (is_geographic(fields))
+    return file_fault(why, in->csv, lines->number, 0,
+                      "latitudes and longitudes are not read; give metres in the map frame, under \"x,y,weight\"");
+  return file_fault(
+      why, in->csv, lines->number, 0,
+      "the first line is not the header \"x,y,weight\" (or \"column,row,weight\"); write it above the places");
 }
 
 /* order[i] = which column the i-th field is. */
@@ -46,9 +65,7 @@ static int read_header(int order[FIELDS], const input *in, const text_lines *lin
     seen[order[i]] = true;
   }
   if (seen[WEIGHT] && ((seen[X] && seen[Y]) || (seen[COLUMN] && seen[ROW]))) return 0;
-  return file_fault(
-      why, in->csv, lines->number, 0,
-      "the first line is not the header \"x,y,weight\" (or \"column,row,weight\"); write it above the places");
+  return no_header(in, lines, fields, why);
 }
 
 static int read_place(input *in, const int order[FIELDS], const text_lines *lines, fault *why) {
@@ -64,18 +81,17 @@ static int read_place(input *in, const int order[FIELDS], const text_lines *line
                       wrong);
   }
   input_origin origin = {INPUT_FROM_CSV, lines->number, 0};
-  qtr_cell cell;
   bool metres = order[0] == X || order[0] == Y || order[1] == X || order[1] == Y;
-  int outside = metres ? frame_point(in, values[X], values[Y], origin, &cell, why)
-                       : frame_cell(in, values[COLUMN], values[ROW], origin, &cell, why);
-  if (outside) return -1;
-  return sites_add_place(in, cell, values[WEIGHT], origin, why);
+  const input_position position = {metres, values[metres ? X : COLUMN], values[metres ? Y : ROW]};
+  return sites_add_place(in, position, values[WEIGHT], origin, why);
 }
 
 int csv_read(input *in, const file_bytes *bytes, fault *why) {
   text_lines lines;
   int order[FIELDS];
   bool header = false;
+  const char *foreign = foreign_what(bytes);
+  if (foreign != NULL && strncmp(foreign, "a CSV", 5) != 0) return file_fault(why, in->csv, 0, 0, "is %s", foreign);
   text_start(&lines, bytes);
   while (text_next(&lines)) {
     if (text_blank(lines.line, lines.length) || lines.line[0] == '#') continue;

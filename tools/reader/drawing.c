@@ -27,18 +27,19 @@ static int unknown_glyph(const input *in, const text_lines *lines, size_t column
 
 static int read_row(input *in, const text_lines *lines, drawing_marks marks, fault *why) {
   qtr_mission *mission = &in->mission;
+  const unsigned row = mission->rows++;
   for (size_t i = 0; i < lines->length; i++) {
     char glyph = lines->line[i];
-    qtr_cell cell = (qtr_cell)((size_t)mission->rows * mission->columns + i);
+    qtr_cell cell = (qtr_cell)((size_t)row * mission->columns + i);
     input_origin origin = {INPUT_FROM_MAP, lines->number, (int)i + 1};
     int cost = glyph_cost(glyph);
     if (cost < 0) return unknown_glyph(in, lines, i, why);
     mission->cost[cell] = (uint8_t)cost;
-    if (glyph == 'S' && marks.starts && sites_add_start(in, cell, origin, why)) return -1;
+    const input_position position = {false, (double)i, row};
+    if (glyph == 'S' && marks.starts && sites_add_start(in, position, origin, why)) return -1;
     bool digit = glyph >= '1' && glyph <= '9';
-    if (digit && marks.places && sites_add_place(in, cell, glyph - '0', origin, why)) return -1;
+    if (digit && marks.places && sites_add_place(in, position, glyph - '0', origin, why)) return -1;
   }
-  mission->rows++;
   return 0;
 }
 
@@ -55,7 +56,7 @@ static int check_row(input *in, const text_lines *lines, int *first, fault *why)
                       counted(lines->length, "cell").text, *first, (unsigned)mission->columns);
   }
   double rows = mission->rows + 1.0;
-  if (sites_check_size(in->map, lines->number, (double)lines->length, rows, why)) return -1;
+  if (sites_check_size(in->map, lines->number, (double)lines->length, rows, "cut the drawing", why)) return -1;
   if (mission->rows == 0) {
     *first = lines->number;
     mission->columns = (uint16_t)lines->length;

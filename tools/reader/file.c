@@ -26,7 +26,7 @@ const char *file_short_path(const char *path) {
 }
 
 int file_fault(fault *why, const char *path, long line, long column, const char *format, ...) {
-  char message[sizeof why->text];
+  char message[FAULT_LINE];
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(message, sizeof message, format, arguments);

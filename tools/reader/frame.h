@@ -4,9 +4,23 @@
 
 #include "input.h"
 
-/* The cell of a point in metres in the map frame, or of a column and row counted from 0 at the top left. 0, or -1 with
- * *fault set: outside the map, or not a whole number. */
-int frame_point(const input *in, double x, double y, input_origin origin, qtr_cell *cell, fault *why);
-int frame_cell(const input *in, double column, double row, input_origin origin, qtr_cell *cell, fault *why);
+/* A point of the planning grid, in cells from its lower-left corner. */
+typedef struct {
+  double across, up;
+} frame_point;
+
+frame_point frame_locate(const input *in, input_position position);
+
+/* The cell of a position; QTR_NO_CELL outside the map. */
+qtr_cell frame_cell(const input *in, input_position position);
+
+/* The middle of a cell, in metres in the map frame or as column and row. */
+input_position frame_centre(const input *in, qtr_cell cell, bool metres);
+
+/* "x 1.5, y 2" or "column 3, row 4" into out[size]. */
+void frame_name(char *out, size_t size, input_position position);
+
+/* Where the map is, for who is outside: "spans x 0 to 5 and y 0 to 4", into out[size]. */
+void frame_span(char *out, size_t size, const input *in, bool metres);
 
 #endif

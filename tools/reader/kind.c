@@ -5,8 +5,9 @@
 #include <strings.h>
 
 #include "drawing.h"
+#include "foreign.h"
+#include "image.h"
 #include "movingai.h"
-#include "pgm.h"
 #include "text.h"
 
 static bool has_extension(const char *path, const char *extension) {
@@ -41,12 +42,17 @@ static bool looks_like_yaml(const file_bytes *bytes) {
 }
 
 enum kind kind_of(const char *path, const file_bytes *bytes) {
-  if (pgm_looks_like_image(bytes)) return KIND_IMAGE;
+  static const struct {
+    const char *extension;
+    enum kind kind;
+  } by_name[] = {{".yaml", KIND_YAML}, {".yml", KIND_YAML},  {".map", KIND_MOVINGAI},
+                 {".pgm", KIND_IMAGE}, {".png", KIND_IMAGE}, {".bmp", KIND_IMAGE}};
+  if (image_looks_like_one(bytes)) return KIND_IMAGE;
   if (movingai_looks_like_one(bytes)) return KIND_MOVINGAI;
   if (drawing_looks_like_one(bytes)) return KIND_DRAWING;
+  if (foreign_what(bytes) != NULL) return KIND_FOREIGN;
   if (looks_like_yaml(bytes)) return KIND_YAML;
-  if (has_extension(path, ".yaml") || has_extension(path, ".yml")) return KIND_YAML;
-  if (has_extension(path, ".map")) return KIND_MOVINGAI;
-  if (has_extension(path, ".pgm") || has_extension(path, ".png")) return KIND_IMAGE;
+  for (size_t i = 0; i < sizeof by_name / sizeof by_name[0]; i++)
+    if (has_extension(path, by_name[i].extension)) return by_name[i].kind;
   return KIND_DRAWING;
 }

@@ -4,7 +4,7 @@
 
 #include "file.h"
 
-enum kind { KIND_DRAWING, KIND_MOVINGAI, KIND_YAML, KIND_IMAGE };
+enum kind { KIND_DRAWING, KIND_MOVINGAI, KIND_YAML, KIND_IMAGE, KIND_FOREIGN /* see foreign.h */ };
 
 enum kind kind_of(const char *path, const file_bytes *bytes);
 

@@ -6,7 +6,8 @@
 
 #include "csv.h"
 #include "drawing.h"
-#include "frame.h"
+#include "foreign.h"
+#include "image.h"
 #include "kind.h"
 #include "movingai.h"
 #include "rosmap.h"
@@ -78,10 +79,12 @@ static int read_wish(rosmap_wish *wish, tree *yaml, tree_node *root, const input
   memset(wish, 0, sizeof *wish);
   if (read_metres_of(&wish->cell_size, yaml, root, "cell_size", false)) return -1;
   if (read_metres_of(&wish->robot_radius, yaml, root, "robot_radius", true)) return -1;
+  wish->radius_given = tree_find(yaml, root, "robot_radius") != NULL;
   if (options->cell_size > 0.0) wish->cell_size = options->cell_size;
   tree_node *node = tree_find(yaml, root, "unknown");
-  if (node != NULL && tree_word(yaml, node, "unknown", words, &word)) return -1;
-  wish->unknown_free = word == 1;
+  if (node == NULL) return 0;
+  if (tree_word(yaml, node, "unknown", words, &word)) return -1;
+  wish->unknown = word == 0 ? ROSMAP_BLOCKED : ROSMAP_UNKNOWN_FREE;
   return 0;
 }
 
@@ -117,9 +120,10 @@ static int read_map_bytes(input *in, tree *yaml, tree_node *root, const file_byt
   if (read_wish(&wish, yaml, root, options)) return -1;
   enum kind kind = kind_of(in->map, bytes);
   if (kind == KIND_IMAGE) {
-    return tree_fault(yaml, node,
-                      "'map' names an image, which has no scale; name the map_server YAML that goes with it");
+    return tree_fault(yaml, node, "'map' names %s, which has no scale; name the map_server YAML that goes with it",
+                      image_name(bytes));
   }
+  if (kind == KIND_FOREIGN) return tree_fault(yaml, node, "'map' names %s", foreign_what(bytes));
   if (kind == KIND_YAML) return read_yaml_map(in, yaml, node, bytes, &wish);
   if (check_no_metres(&wish, yaml, root, options)) return -1;
   return kind == KIND_MOVINGAI ? movingai_read(in, bytes, yaml->why) : drawing_read(in, bytes, marks, yaml->why);
@@ -149,42 +153,57 @@ static int read_map(input *in, tree *yaml, tree_node *root, const input_options 
 static tree_keys ROBOT_KEYS = {"x", "y", "column", "row", NULL};
 static tree_keys PLACE_KEYS = {"x", "y", "column", "row", "weight", NULL};
 
-static int read_metres(const input *in, tree *yaml, tree_node *item, const char *what, qtr_cell *cell) {
-  double x, y;
+static int read_metres(tree *yaml, tree_node *item, const char *what, input_position *position) {
   tree_node *x_node = tree_need(yaml, item, what, "x", "1.5"), *y_node;
   if (x_node == NULL || (y_node = tree_need(yaml, item, what, "y", "1.5")) == NULL) return -1;
-  if (tree_number(yaml, x_node, "x", &x) || tree_number(yaml, y_node, "y", &y)) return -1;
-  input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
-  return frame_point(in, x, y, origin, cell, yaml->why);
+  position->metres = true;
+  return tree_number(yaml, x_node, "x", &position->x) || tree_number(yaml, y_node, "y", &position->y) ? -1 : 0;
 }
 
-static int read_indices(const input *in, tree *yaml, tree_node *item, const char *what, qtr_cell *cell) {
+static int read_indices(tree *yaml, tree_node *item, const char *what, input_position *position) {
   long column, row;
   tree_node *column_node = tree_need(yaml, item, what, "column", "4"), *row_node;
   if (column_node == NULL || (row_node = tree_need(yaml, item, what, "row", "4")) == NULL) return -1;
   if (tree_integer(yaml, column_node, "column", &column) || tree_integer(yaml, row_node, "row", &row)) return -1;
-  input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
-  return frame_cell(in, (double)column, (double)row, origin, cell, yaml->why);
+  *position = (input_position){false, (double)column, (double)row};
+  return 0;
+}
+
+/* Slips that the list of keys would not mend: [1, 10] for a position, and 0,5 for 0.5. */
+static int check_item(tree *yaml, tree_node *item, const char *what) {
+  const char *first, *second;
+  if (tree_count(item) == 2 && tree_plain(yaml, tree_item(yaml, item, 0), &first) &&
+      tree_plain(yaml, tree_item(yaml, item, 1), &second)) {
+    return tree_fault(yaml, item, "%s is a list; write {column: %.20s, row: %.20s}, or in metres {x: %.20s, y: %.20s}",
+                      what, first, second, first, second);
+  }
+  if (tree_count(item) >= 0)
+    return tree_fault(yaml, item, "%s is a list; write {column: 1, row: 10}, or in metres {x: 0.5, y: 5.5}", what);
+  if (tree_has_number_key(yaml, item))
+    return tree_fault(yaml, item, "%s has a number without a key; decimals take a point, 0.5 and not 0,5", what);
+  return 0;
 }
 
 /* The position that an item of a list states, in either way. */
-static int read_position(const input *in, tree *yaml, tree_node *item, const char *what, tree_keys keys,
-                         qtr_cell *cell) {
-  if (tree_check_keys(yaml, item, what, keys, false)) return -1;
+static int read_position(tree *yaml, tree_node *item, const char *what, tree_keys keys, input_position *position) {
+  if (check_item(yaml, item, what) || tree_check_keys(yaml, item, what, keys, false)) return -1;
   bool metres = tree_find(yaml, item, "x") != NULL || tree_find(yaml, item, "y") != NULL;
   bool indices = tree_find(yaml, item, "column") != NULL || tree_find(yaml, item, "row") != NULL;
   if (metres && indices)
     return tree_fault(yaml, item, "%s has both metres and cells; keep x and y, or column and row", what);
   if (!metres && !indices)
     return tree_fault(yaml, item, "%s has no position; give it x and y, or column and row", what);
-  return metres ? read_metres(in, yaml, item, what, cell) : read_indices(in, yaml, item, what, cell);
+  return metres ? read_metres(yaml, item, what, position) : read_indices(yaml, item, what, position);
 }
 
 /* A key's list; NULL with *count = 0 where the key is not there, -1 where it is something else. */
 static tree_node *find_list(tree *yaml, tree_node *root, const char *key, const char *example, int *count) {
   tree_node *list = tree_find(yaml, root, key);
   *count = list == NULL ? 0 : tree_count(list);
-  if (*count < 0) tree_fault(yaml, list, "'%s' is not a list; write one, such as \"%s: [%s]\"", key, key, example);
+  if (*count >= 0) return list;
+  const bool robots = strcmp(key, "robots") == 0;
+  tree_fault(yaml, list, "'%s' is not a list; write one, such as \"%s: [%s]\"%s", key, key, example,
+             robots ? ", an item each (or one, and --robots K for K of them)" : "");
   return list;
 }
 
@@ -194,11 +213,11 @@ static int read_robots(input *in, tree *yaml, tree_node *root) {
   for (int i = 0; i < count; i++) {
     tree_node *item = tree_item(yaml, list, i);
     char what[32];
-    qtr_cell cell;
+    input_position position;
     snprintf(what, sizeof what, "robot %d", i);
-    if (read_position(in, yaml, item, what, ROBOT_KEYS, &cell)) return -1;
+    if (read_position(yaml, item, what, ROBOT_KEYS, &position)) return -1;
     input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
-    if (sites_add_start(in, cell, origin, yaml->why)) return -1;
+    if (sites_add_start(in, position, origin, yaml->why)) return -1;
   }
   if (count < 0) return -1;
   if (in->mission.seekers > 0) return 0;
@@ -214,12 +233,12 @@ static int read_places(input *in, tree *yaml, tree_node *root) {
     tree_node *item = tree_item(yaml, list, i), *node;
     char what[32];
     double weight = 1.0;
-    qtr_cell cell;
+    input_position position;
     snprintf(what, sizeof what, "place %d", i);
-    if (read_position(in, yaml, item, what, PLACE_KEYS, &cell)) return -1;
+    if (read_position(yaml, item, what, PLACE_KEYS, &position)) return -1;
     if ((node = tree_find(yaml, item, "weight")) != NULL && tree_number(yaml, node, "weight", &weight)) return -1;
     input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
-    if (sites_add_place(in, cell, weight, origin, yaml->why)) return -1;
+    if (sites_add_place(in, position, weight, origin, yaml->why)) return -1;
   }
   return count < 0 ? -1 : 0;
 }

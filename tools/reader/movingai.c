@@ -117,7 +117,8 @@ int movingai_read(input *in, const file_bytes *bytes, fault *why) {
   header head;
   text_start(&lines, bytes);
   if (read_header(in, &lines, &head, why)) return -1;
-  if (sites_check_size(in->map, head.height_line, (double)head.width, (double)head.height, why)) return -1;
+  if (sites_check_size(in->map, head.height_line, (double)head.width, (double)head.height, "cut the map", why))
+    return -1;
   in->mission.columns = (uint16_t)head.width;
   in->mission.rows = (uint16_t)head.height;
   for (int row = 0; row < head.height; row++) {

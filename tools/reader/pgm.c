@@ -70,15 +70,15 @@ static int read_size(cursor *c, const char *what, long most, int *out) {
   return 0;
 }
 
-static int read_header(cursor *c, pgm *image) {
-  if (read_size(c, "width", PGM_MAX_SIDE, &image->width)) return -1;
-  if (read_size(c, "height", PGM_MAX_SIDE, &image->height)) return -1;
-  if ((long)image->width * image->height > PGM_MAX_PIXELS) {
+static int read_header(cursor *c, image *it) {
+  if (read_size(c, "width", IMAGE_MAX_SIDE, &it->width)) return -1;
+  if (read_size(c, "height", IMAGE_MAX_SIDE, &it->height)) return -1;
+  if ((long)it->width * it->height > IMAGE_MAX_PIXELS) {
     return file_fault(c->why, c->path, c->line, 0,
                       "%d x %d pixels are more than %ld, the most that are read; check the file, or scale the map down",
-                      image->width, image->height, PGM_MAX_PIXELS);
+                      it->width, it->height, IMAGE_MAX_PIXELS);
   }
-  return read_size(c, "maximum grey", 65535, &image->maximum);
+  return read_size(c, "maximum grey", 65535, &it->maximum);
 }
 
 /* The single blank between the header and binary samples. A comment and \r\n count as one. */
@@ -95,54 +95,54 @@ static int skip_header_end(cursor *c, size_t samples_size) {
   return 0;
 }
 
-static int truncated(const cursor *c, const pgm *image, size_t got, size_t wanted, const char *unit) {
+static int truncated(const cursor *c, const image *it, size_t got, size_t wanted, const char *unit) {
   return file_fault(
       c->why, c->path, 0, 0,
-      "is cut off: its header says %d x %d pixels, which take %zu %s, but it holds %zu; copy the file anew",
-      image->width, image->height, wanted, unit, got);
+      "is cut off: its header says %d x %d pixels, which take %zu %s, but it holds %zu; copy the file anew", it->width,
+      it->height, wanted, unit, got);
 }
 
-static int allocate(cursor *c, pgm *image, size_t pixels) {
-  image->samples = malloc(pixels * sizeof *image->samples);
-  if (image->samples != NULL) return 0;
+static int allocate(cursor *c, image *it, size_t pixels) {
+  it->samples = malloc(pixels * sizeof *it->samples);
+  if (it->samples != NULL) return 0;
   return file_fault(c->why, c->path, 0, 0, "no memory for %zu pixels; scale the map down", pixels);
 }
 
-static int check_sample(const cursor *c, const pgm *image, size_t index, long sample) {
-  if (sample <= image->maximum) return 0;
+static int check_sample(const cursor *c, const image *it, size_t index, long sample) {
+  if (sample <= it->maximum) return 0;
   return file_fault(
       c->why, c->path, 0, 0,
       "the pixel in column %zu, row %zu is %ld, above the maximum grey %d; check that the file is a whole PGM",
-      index % (size_t)image->width, index / (size_t)image->width, sample, image->maximum);
+      index % (size_t)it->width, index / (size_t)it->width, sample, it->maximum);
 }
 
-static int read_binary(cursor *c, pgm *image, size_t pixels) {
-  size_t width = image->maximum > 255 ? 2 : 1, wanted = pixels * width;
+static int read_binary(cursor *c, image *it, size_t pixels) {
+  size_t width = it->maximum > 255 ? 2 : 1, wanted = pixels * width;
   if (skip_header_end(c, wanted)) return -1;
   size_t got = (size_t)(c->end - c->at);
-  if (got < wanted) return truncated(c, image, got, wanted, "bytes");
-  if (allocate(c, image, pixels)) return -1;
+  if (got < wanted) return truncated(c, it, got, wanted, "bytes");
+  if (allocate(c, it, pixels)) return -1;
   const unsigned char *from = c->at;
   for (size_t i = 0; i < pixels; i++, from += width) {
     unsigned sample = width == 1 ? from[0] : (unsigned)from[0] << 8 | from[1];
-    image->samples[i] = (uint16_t)sample;
-    if (check_sample(c, image, i, (long)sample)) return -1;
+    it->samples[i] = (uint16_t)sample;
+    if (check_sample(c, it, i, (long)sample)) return -1;
   }
   c->at = from;
   return 0;
 }
 
-static int read_plain(cursor *c, pgm *image, size_t pixels) {
+static int read_plain(cursor *c, image *it, size_t pixels) {
   /* Every sample takes a digit and a blank before it: a header that promises more than that is refused at once. */
   size_t most = (size_t)(c->end - c->at) / 2;
-  if (most < pixels) return truncated(c, image, most, pixels, "samples at least");
-  if (allocate(c, image, pixels)) return -1;
+  if (most < pixels) return truncated(c, it, most, pixels, "samples at least");
+  if (allocate(c, it, pixels)) return -1;
   for (size_t i = 0; i < pixels; i++) {
     long sample;
     skip_blanks(c);
-    if (c->at == c->end) return truncated(c, image, i, pixels, "samples");
-    if (read_number(c, "sample", 99999, &sample) || check_sample(c, image, i, sample)) return -1;
-    image->samples[i] = (uint16_t)sample;
+    if (c->at == c->end) return truncated(c, it, i, pixels, "samples");
+    if (read_number(c, "sample", 99999, &sample) || check_sample(c, it, i, sample)) return -1;
+    it->samples[i] = (uint16_t)sample;
   }
   skip_blanks(c); /* comments too, which only a plain file may have here */
   return 0;
@@ -166,30 +166,22 @@ static bool has_magic(const file_bytes *bytes, const char *kinds) {
   return bytes->size == 2 || is_space(data[2]) || data[2] == '#';
 }
 
-int pgm_read(pgm *image, const char *path, const file_bytes *bytes, fault *why) {
+int pgm_read(image *it, const char *path, const file_bytes *bytes, fault *why) {
   cursor c = {path, bytes->data, bytes->data + bytes->size, 1, why};
-  memset(image, 0, sizeof *image);
+  memset(it, 0, sizeof *it);
   if (!has_magic(bytes, "25")) {
     return file_fault(why, path, 0, 0,
-                      "is not a PGM (it does not start with P5 or P2); convert the image to a grey PGM");
+                      "is not a PGM, PNG or BMP (no P5 or P2 at its start); convert the image to a grey PGM");
   }
   c.at += 2;
-  if (read_header(&c, image)) return -1;
-  size_t pixels = (size_t)image->width * (size_t)image->height;
-  int result = bytes->data[1] == '5' ? read_binary(&c, image, pixels) : read_plain(&c, image, pixels);
+  if (read_header(&c, it)) return -1;
+  size_t pixels = (size_t)it->width * (size_t)it->height;
+  int result = bytes->data[1] == '5' ? read_binary(&c, it, pixels) : read_plain(&c, it, pixels);
   if (result == 0) result = check_end(&c);
-  if (result != 0) pgm_free(image);
+  if (result != 0) image_free(it);
   return result;
 }
 
-void pgm_free(pgm *image) {
-  free(image->samples);
-  image->samples = NULL;
-}
-
 bool pgm_looks_like_image(const file_bytes *bytes) {
-  const unsigned char *data = bytes->data;
-  if (has_magic(bytes, "1234567")) return true;
-  if (bytes->size < 3) return false;
-  return memcmp(data, "\x89PN", 3) == 0 || memcmp(data, "\xff\xd8\xff", 3) == 0 || memcmp(data, "GIF", 3) == 0;
+  return has_magic(bytes, "1234567");
 }

@@ -1,4 +1,4 @@
-/* ROS map_server maps: a YAML and the PGM that it names, read as nav2_map_server reads them.
+/* ROS map_server maps: a YAML and the image that it names, read as nav2_map_server reads them.
  *
  * Occupancy p of a sample v: 1 - v / maximum, with `negate` v / maximum.
  * - trinary: p > occupied_thresh is occupied, p < free_thresh is free, all else unknown: both thresholds themselves are
@@ -21,18 +21,24 @@
 typedef struct {
   double cell_size;    /* metres; 0: the map's resolution */
   double robot_radius; /* metres; 0: nothing grows */
-  bool unknown_free;   /* unknown pixels are free; otherwise they are obstacles, and grow like them */
+  bool radius_given;   /* even if 0 */
+  int unknown;         /* enum rosmap_unknown */
 } rosmap_wish;
+
+/* Unknown pixels are free, or they are obstacles and grow like them. The grey that map savers write for unknown ground,
+ * 205 of 255, is free by the rule above where `free_thresh` is 0.25, which they write beside it today. As the map says:
+ * then it is free, and a note says so. Blocked, written out: it is unknown all the same. */
+enum rosmap_unknown { ROSMAP_AS_THE_MAP_SAYS, ROSMAP_BLOCKED, ROSMAP_UNKNOWN_FREE };
 
 enum rosmap_class { ROSMAP_FREE, ROSMAP_OCCUPIED, ROSMAP_UNKNOWN };
 enum rosmap_mode { ROSMAP_TRINARY, ROSMAP_SCALE, ROSMAP_RAW };
 
 /* What the YAML says. */
 typedef struct {
-  char image[INPUT_PATH_SIZE]; /* path of the PGM */
+  char image[INPUT_PATH_SIZE]; /* path */
   int image_line;
   double resolution; /* metres a pixel */
-  double origin[2];  /* metres: lower-left corner of the lower-left pixel */
+  double origin[3];  /* metres: lower-left corner of the lower-left pixel; radians: the turn about it */
   bool negate;
   double occupied, free; /* thresholds */
   int mode;              /* enum rosmap_mode */

@@ -3,9 +3,12 @@
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "count.h"
 #include "file.h"
+#include "frame.h"
+#include "snap.h"
 
 const char *sites_path(const input *in, input_origin origin) {
   switch (origin.source) {
@@ -19,8 +22,15 @@ static int site_fault(const input *in, input_origin origin, fault *why, const ch
   return file_fault(why, sites_path(in, origin), origin.line, origin.column, "%s", what);
 }
 
-int sites_add_start(input *in, qtr_cell cell, input_origin origin, fault *why) {
+static int check_whole(const input *in, input_position position, input_origin origin, fault *why) {
+  if (position.metres || (position.x == floor(position.x) && position.y == floor(position.y))) return 0;
+  return file_fault(why, sites_path(in, origin), origin.line, origin.column,
+                    "column %g, row %g is not a cell; give whole numbers", position.x, position.y);
+}
+
+int sites_add_start(input *in, input_position position, input_origin origin, fault *why) {
   qtr_mission *mission = &in->mission;
+  if (check_whole(in, position, origin, why)) return -1;
   if (mission->seekers >= QTR_MAX_SEEKERS) {
     char what[200];
     snprintf(what, sizeof what,
@@ -28,15 +38,17 @@ int sites_add_start(input *in, qtr_cell cell, input_origin origin, fault *why) {
              QTR_MAX_SEEKERS);
     return site_fault(in, origin, why, what);
   }
-  mission->start[mission->seekers] = cell;
+  mission->start[mission->seekers] = frame_cell(in, position);
   in->start_origin[mission->seekers] = origin;
+  in->start_position[mission->seekers] = position;
   mission->seekers++;
   return 0;
 }
 
-int sites_add_place(input *in, qtr_cell cell, double weight, input_origin origin, fault *why) {
+int sites_add_place(input *in, input_position position, double weight, input_origin origin, fault *why) {
   qtr_mission *mission = &in->mission;
   char what[200];
+  if (check_whole(in, position, origin, why)) return -1;
   if (!(weight > 0.0) || !isfinite(weight)) {
     snprintf(what, sizeof what, "the weight %g of a place is not above 0; give its likelihood in any unit", weight);
     return site_fault(in, origin, why, what);
@@ -47,29 +59,29 @@ int sites_add_place(input *in, qtr_cell cell, double weight, input_origin origin
              QTR_MAX_PLACES);
     return site_fault(in, origin, why, what);
   }
-  mission->place[mission->places] = cell;
+  mission->place[mission->places] = frame_cell(in, position);
   mission->weight[mission->places] = weight;
   in->place_origin[mission->places] = origin;
-  mission->places++;
+  in->place_position[mission->places] = position;
+  in->place_number[mission->places] = mission->places;
+  in->places_stated = ++mission->places;
   return 0;
 }
 
-int sites_check_size(const char *path, long line, double columns, double rows, fault *why) {
+int sites_check_size(const char *path, long line, double columns, double rows, const char *mend, fault *why) {
   if (!(columns >= 1.0) || !(rows >= 1.0)) {
     return file_fault(why, path, line, 0, "%.0f x %.0f cells: there is no map; give it a column and a row at least",
                       columns, rows);
   }
   if (columns > UINT16_MAX || rows > UINT16_MAX) {
-    return file_fault(
-        why, path, line, 0,
-        "%.0f x %.0f cells: at most %d columns and rows are possible; cut the map, or choose larger cells", columns,
-        rows, UINT16_MAX);
+    return file_fault(why, path, line, 0, "%.0f x %.0f cells: at most %d columns and rows are possible; %s", columns,
+                      rows, UINT16_MAX, mend);
   }
   if (columns * rows > (double)QTR_MAX_CELLS) {
     return file_fault(why, path, line, 0,
-                      "%.0f x %.0f cells are more than %ld, the most that this build holds; cut the map, choose larger "
-                      "cells, or build with a larger QTR_MAX_CELLS",
-                      columns, rows, (long)QTR_MAX_CELLS);
+                      "%.0f x %.0f cells are more than %ld, the most that this build holds; %s, or build with a larger "
+                      "QTR_MAX_CELLS",
+                      columns, rows, (long)QTR_MAX_CELLS, mend);
   }
   return 0;
 }
@@ -98,35 +110,6 @@ static int share_start(input *in, int robots, fault *why) {
   return 0;
 }
 
-static int check_cell(const input *in, qtr_cell cell, input_origin origin, const char *what, int index, fault *why) {
-  const qtr_mission *mission = &in->mission;
-  if (mission->cost[cell] != 0) return 0;
-  char inflated[80] = "";
-  if (in->robot_radius > 0.0) {
-    snprintf(inflated, sizeof inflated, " grown by the robot_radius of %g m", in->robot_radius);
-  }
-  char text[300];
-  snprintf(text, sizeof text, "%s %d stands on an obstacle%s, at column %u, row %u; move it to a free cell", what,
-           index, inflated, (unsigned)(cell % mission->columns), (unsigned)(cell / mission->columns));
-  return site_fault(in, origin, why, text);
-}
-
-static int check_twins(const input *in, fault *why) {
-  const qtr_mission *mission = &in->mission;
-  for (int j = 1; j < mission->places; j++) {
-    for (int i = 0; i < j; i++) {
-      if (mission->place[i] != mission->place[j]) continue;
-      char first[INPUT_PATH_SIZE + 64], text[sizeof why->text];
-      input_place_name(in, i, first, sizeof first);
-      snprintf(text, sizeof text,
-               "place %d lies in the same cell as %.450s: column %u, row %u; drop one of them, or move it", j, first,
-               (unsigned)(mission->place[j] % mission->columns), (unsigned)(mission->place[j] / mission->columns));
-      return site_fault(in, in->place_origin[j], why, text);
-    }
-  }
-  return 0;
-}
-
 /* The likelihoods are the weights' shares of their sum: both must be numbers that a double holds in full. */
 static int check_weights(const input *in, fault *why) {
   const qtr_mission *mission = &in->mission;
@@ -147,14 +130,16 @@ static int check_weights(const input *in, fault *why) {
   return 0;
 }
 
-int sites_finish(input *in, int robots, fault *why) {
-  const qtr_mission *mission = &in->mission;
-  for (int i = 0; i < mission->seekers; i++) {
-    if (check_cell(in, mission->start[i], in->start_origin[i], "robot", i, why)) return -1;
-  }
-  for (int i = 0; i < mission->places; i++) {
-    if (check_cell(in, mission->place[i], in->place_origin[i], "place", i, why)) return -1;
-  }
-  if (check_twins(in, why) || check_weights(in, why)) return -1;
-  return share_start(in, robots, why);
+/* A map without a single free cell needs another mend than its places. */
+static int check_free(const input *in, fault *why) {
+  const size_t cells = (size_t)in->mission.columns * in->mission.rows;
+  if (memchr(in->mission.cost, 1, cells) != NULL) return 0;
+  for (size_t cell = 0; cell < cells; cell++)
+    if (in->mission.cost[cell] != 0) return 0;
+  return file_fault(why, in->map, 0, 0, "no cell of the map is free; check that it is the right one");
+}
+
+int sites_finish(input *in, const input_options *options, fault *why) {
+  if (check_free(in, why) || snap_all(in, options, why) || check_weights(in, why)) return -1;
+  return share_start(in, options->robots, why);
 }

@@ -59,6 +59,8 @@ const char *text_number(double *out, const char *text, size_t length) {
   memcpy(copy, text, length);
   copy[length] = '\0';
   if (is_not_finite(copy)) return "is not a finite number";
+  if (length > 1 && strspn(copy, "0123456789+-,.") == length && strchr(copy, ',') != NULL)
+    return "has a comma where a point should be";
   if (strspn(copy, "0123456789+-.eE") != length) return "is not a number";
   char *end;
   double value = strtod(copy, &end);

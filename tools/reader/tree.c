@@ -14,7 +14,7 @@ int tree_line(tree_node *node) {
 }
 
 int tree_fault(tree *yaml, tree_node *node, const char *format, ...) {
-  char message[sizeof yaml->why->text];
+  char message[FAULT_LINE];
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(message, sizeof message, format, arguments);
@@ -22,21 +22,37 @@ int tree_fault(tree *yaml, tree_node *node, const char *format, ...) {
   return file_fault(yaml->why, yaml->path, tree_line(node), 0, "%s", message);
 }
 
-static int syntax_fault(tree *yaml, const yaml_parser_t *parser) {
+/* Whether a line of the text starts with blanks among which there is a tab. */
+static bool has_tab_indent(const file_bytes *bytes, long line) {
+  text_lines lines;
+  text_start(&lines, bytes);
+  while (text_next(&lines)) {
+    if (lines.number != line) continue;
+    const char *tab = memchr(lines.line, '\t', lines.length);
+    return tab != NULL && text_blank(lines.line, (size_t)(tab - lines.line));
+  }
+  return false;
+}
+
+static int syntax_fault(tree *yaml, const yaml_parser_t *parser, const file_bytes *bytes) {
   const char *problem = parser->problem != NULL ? parser->problem : "unknown";
+  const long line = (long)parser->problem_mark.line + 1;
   if (parser->error == YAML_MEMORY_ERROR) return file_fault(yaml->why, yaml->path, 0, 0, "no memory to parse it");
   if (parser->error == YAML_READER_ERROR) {
     return file_fault(yaml->why, yaml->path, 0, 0, "is not YAML text: %s at byte %zu; check that it is the right file",
                       problem, parser->problem_offset);
   }
-  return file_fault(yaml->why, yaml->path, (long)parser->problem_mark.line + 1, (long)parser->problem_mark.column + 1,
+  if (has_tab_indent(bytes, line))
+    return file_fault(yaml->why, yaml->path, line, 0,
+                      "the line is indented by a tab, which YAML does not take; use blanks instead");
+  return file_fault(yaml->why, yaml->path, line, (long)parser->problem_mark.column + 1,
                     "not valid YAML: %s; mend the line or the one above it", problem);
 }
 
 /* That no second document follows. */
-static int check_single(tree *yaml, yaml_parser_t *parser) {
+static int check_single(tree *yaml, yaml_parser_t *parser, const file_bytes *bytes) {
   yaml_document_t next;
-  if (!yaml_parser_load(parser, &next)) return syntax_fault(yaml, parser);
+  if (!yaml_parser_load(parser, &next)) return syntax_fault(yaml, parser, bytes);
   tree_node *root = yaml_document_get_root_node(&next);
   int line = root == NULL ? 0 : tree_line(root);
   yaml_document_delete(&next);
@@ -65,12 +81,12 @@ int tree_read(tree *yaml, const char *path, const file_bytes *bytes, fault *why)
   if (!yaml_parser_initialize(&parser)) return file_fault(why, path, 0, 0, "no memory to parse it");
   yaml_parser_set_input_string(&parser, bytes->data, bytes->size);
   if (!yaml_parser_load(&parser, &yaml->document)) {
-    syntax_fault(yaml, &parser);
+    syntax_fault(yaml, &parser, bytes);
     yaml_parser_delete(&parser);
     return -1;
   }
   int result = check_root(yaml);
-  if (result == 0) result = check_single(yaml, &parser);
+  if (result == 0) result = check_single(yaml, &parser, bytes);
   if (result != 0) yaml_document_delete(&yaml->document);
   yaml_parser_delete(&parser);
   return result;
@@ -159,6 +175,23 @@ int tree_count(tree_node *list) {
 
 tree_node *tree_item(tree *yaml, tree_node *list, int index) {
   return node_at(yaml, list->data.sequence.items.start[index]);
+}
+
+bool tree_plain(tree *yaml, tree_node *node, const char **text) {
+  (void)yaml;
+  *text = scalar_text(node);
+  return *text != NULL;
+}
+
+bool tree_has_number_key(tree *yaml, tree_node *mapping) {
+  if (mapping->type != YAML_MAPPING_NODE) return false;
+  for (const yaml_node_pair_t *pair = mapping->data.mapping.pairs.start; pair < mapping->data.mapping.pairs.top;
+       pair++) {
+    const char *text = scalar_text(node_at(yaml, pair->key));
+    double number;
+    if (text != NULL && text_number(&number, text, strlen(text)) == NULL) return true;
+  }
+  return false;
 }
 
 static int wrong_type(tree *yaml, tree_node *node, const char *key, const char *wanted) {

@@ -42,6 +42,12 @@ tree_node *tree_need(tree *yaml, tree_node *mapping, const char *what, const cha
 int tree_count(tree_node *list);
 tree_node *tree_item(tree *yaml, tree_node *list, int index);
 
+/* Whether a node is a plain value, and its text. */
+bool tree_plain(tree *yaml, tree_node *node, const char **text);
+
+/* Whether a mapping has a number for a key, as {x: 0,5} has. */
+bool tree_has_number_key(tree *yaml, tree_node *mapping);
+
 /* A node's value as what it must be; `key` names it in the fault. 0, or -1 with the fault set. */
 int tree_number(tree *yaml, tree_node *node, const char *key, double *out);
 int tree_integer(tree *yaml, tree_node *node, const char *key, long *out);
