@@ -10,13 +10,13 @@ folder=$1
 shift
 
 make_root() {
-  local suite=$1 root=$2 mirror=http://deb.debian.org/debian options=() script=()
+  local suite=$1 root=$2 options=() from=()
   if [ "$suite" = noble ]; then
-    mirror=http://archive.ubuntu.com/ubuntu
     options=(--components=main,universe ${UBUNTU_KEYRING:+--keyring="$UBUNTU_KEYRING"})
-    [ -e /usr/share/debootstrap/scripts/noble ] || script=(gutsy)
+    [ -e /usr/share/debootstrap/scripts/noble ] ||
+      from=("${UBUNTU_MIRROR:?debootstrap does not know noble here: name a mirror of Ubuntu}" gutsy)
   fi
-  debootstrap --variant=minbase --include=git,ca-certificates "${options[@]}" "$suite" "$root" "$mirror" "${script[@]}"
+  debootstrap --variant=minbase --include=git,ca-certificates "${options[@]}" "$suite" "$root" "${from[@]}"
   umount "$root/proc" "$root/sys" 2>/dev/null || true
 }
 
@@ -35,11 +35,11 @@ try_root() {
     cp "$CERTIFICATES" "$root/usr/local/share/ca-certificates/own.crt"
     within "$root" update-ca-certificates >/dev/null
   fi
-  rm -rf "$root/root/quarter"
-  git clone -q "$checkout" "$root/root/quarter"
+  rm -rf "$root/srv/quarter"
+  git clone -q "$checkout" "$root/srv/quarter"
   for command in demo test; do
-    python3 -B "$here/silence.py" 10 env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
-      bash -c "$(declare -f within)"'; within "$@"' - "$root" /root/quarter/run "$command"
+    python3 -B "$here/silence.py" 10 env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/srv LANG=C.UTF-8 \
+      bash -c "$(declare -f within)"'; within "$@"' - "$root" /srv/quarter/run "$command"
   done
 }
 
