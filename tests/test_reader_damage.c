@@ -44,6 +44,16 @@ void tearDown(void) {
   scratch_close();
 }
 
+/* One line, or one for each of several places, every one of which names a file and the mend. */
+static void expect_lines(const char *message) {
+  for (const char *line = scratch_fault.text; line != NULL;) {
+    const size_t length = strcspn(line, "\n");
+    TEST_ASSERT_NOT_NULL_MESSAGE(memchr(line, ':', length), message);
+    TEST_ASSERT_NOT_NULL_MESSAGE(memchr(line, ';', length), message);
+    line = line[length] == '\n' ? line + length + 1 : NULL;
+  }
+}
+
 /* Read, and hold what it says to the rules whichever way it goes. */
 static bool read_damaged(const sample *sample, const char *message) {
   scratch_fault.text[0] = '\0';
@@ -52,7 +62,7 @@ static bool read_damaged(const sample *sample, const char *message) {
     TEST_ASSERT_EQUAL_INT_MESSAGE(-1, result, message);
     TEST_ASSERT_NOT_NULL_MESSAGE(strchr(scratch_fault.text, ':'), message);
     TEST_ASSERT_NOT_NULL_MESSAGE(strchr(scratch_fault.text, ';'), scratch_fault.text);
-    TEST_ASSERT_NULL_MESSAGE(strchr(scratch_fault.text, '\n'), message);
+    expect_lines(message);
     return false;
   }
   const qtr_mission *mission = &scratch_input.mission;
