@@ -90,7 +90,7 @@ def main():
 
     def symbols(library):
         command = [options.nm, "--format=sysv", library]
-        return parse(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+        return parse(subprocess.run(command, check=True, capture_output=True, encoding="utf-8").stdout)
 
     robot, learn = symbols(options.robot), symbols(options.learn)
     if not defined(robot) or not defined(learn):
