@@ -18,7 +18,6 @@ import struct
 import subprocess
 import sys
 import threading
-import time
 import unittest
 from pathlib import Path
 
@@ -40,21 +39,26 @@ os.environ["PATH"] += ":/usr/sbin:/sbin"  # where ip and nft are, though not on 
 
 
 @functools.cache
-def own_network():
-    """The words before a program that give it a network of its own; none if that is not allowed here."""
-    for words in ("unshare", "-rn"), ("unshare", "-n"):  # the latter: as root, where user namespaces are forbidden
+def unshare(kind):
+    """The words before a program that give it a namespace of its own, n of networks or m of mounts; none if that is not
+    allowed here."""
+    for words in ("unshare", f"-r{kind}"), ("unshare", f"-{kind}"):  # the latter: as root, where user namespaces are forbidden
         if shutil.which(words[0]) and subprocess.run([*words, "true"], capture_output=True).returncode == 0:
             return words
     return ()
 
 
-def need_network(loss=False):
+def need(kind, *tools):
     """Skip what cannot be tested here, and say why."""
-    missing = [tool for tool in ("unshare", "ip", *["nft"] * loss) if shutil.which(tool) is None]
+    missing = [tool for tool in ("unshare", *tools) if shutil.which(tool) is None]
     if missing:
         raise unittest.SkipTest(f"{' and '.join(missing)} missing: install util-linux, iproute2 and nftables")
-    if not own_network():
+    if not unshare(kind):
         raise unittest.SkipTest("user namespaces are forbidden here, and this is not root")
+
+
+def need_network(loss=False):
+    need("n", "ip", *["nft"] * loss)
 
 
 class Program:
@@ -94,6 +98,12 @@ class Program:
                 if self.silent or not self.news.wait(HANG):
                     raise AssertionError(f"{' '.join(self.words)}: no {pattern} in {self.lines}")
 
+    def await_that(self, holds):
+        """Until holds(), looked at with every line that it says."""
+        with self.news:
+            if not self.news.wait_for(lambda: holds() or self.silent, HANG) or not holds():
+                raise AssertionError(f"{' '.join(self.words)}: it said only {self.lines}")
+
     def runs(self):
         return self.process.poll() is None
 
@@ -111,7 +121,7 @@ class Program:
             pass  # gone meanwhile
         return found
 
-    def end(self, _=None):
+    def end(self):
         """(status, standard output, standard error) once it has ended by itself."""
         watchdog = threading.Timer(HANG, self.process.kill)
         watchdog.start()
@@ -124,16 +134,6 @@ class Program:
     def kill(self):
         self.process.kill()  # nothing if it has ended
         self.process.wait()
-
-
-def until(holds, _, what):
-    """What holds() gives, once that is true: looked at again and again, for what nothing tells of."""
-    end = time.monotonic() + HANG
-    while not (value := holds()):
-        if time.monotonic() > end:
-            raise AssertionError(what() if callable(what) else what)
-        time.sleep(0.01)
-    return value
 
 
 def await_file(path, holds, nudge=None):
@@ -164,7 +164,7 @@ class Network:
         self.listeners = []
         self.lock = threading.Lock()
         self.holder = subprocess.Popen(
-            [*own_network(), "sh", "-c", " && ".join(setup) + ' && exec "$@"', "sh", sys.executable, "-B", __file__,
+            [*unshare("n"), "sh", "-c", " && ".join(setup) + ' && exec "$@"', "sh", sys.executable, "-B", __file__,
              str(theirs.fileno())], pass_fds=[theirs.fileno()], stdin=subprocess.DEVNULL, start_new_session=True)
         theirs.close()
         if self.ours.recv(1) != b"+":
@@ -188,7 +188,7 @@ class Network:
         self.holder.wait()
 
     def start(self, *words, **options):
-        user = ["--preserve-credentials", "-U"] if "-rn" in own_network() else []
+        user = ["--preserve-credentials", "-U"] if "-rn" in unshare("n") else []
         enter = "nsenter", *user, "-n", "-t", self.holder.pid, "--"  # becomes the program
         program = Program([*enter, *words], **options)
         self.programs.append(program)
@@ -295,7 +295,7 @@ class Listener(Ear):
             raise AssertionError(f"never came on the bus: {what}")
         return value or None
 
-    def await_message(self, fits, *what, begin=0, seconds=HANG):
+    def await_message(self, fits, what, begin=0, seconds=HANG):
         """The first message, from number `begin` on, that fits(source, channel, data), and its number."""
         at = begin
 

@@ -245,9 +245,9 @@ class TestMcap(Bridge):
             self.assertIn(f"its {name} cannot be", done.stderr)
 
     def test_a_report_that_cannot_be_printed_is_said(self):
-        with open("/dev/full", "w") as full:
+        with open("/dev/full", "wb") as full:
             done = subprocess.run(self.words(self.log(), "--mcap", self.mcap), stdout=full, stderr=subprocess.PIPE,
-                                  text=True)
+                                  encoding="utf-8")
         self.assertEqual(done.returncode, 2)
         self.assertIn("bridge: standard output cannot be written", done.stderr.splitlines()[-1])
         self.assertTrue(self.mcap.exists())
@@ -438,7 +438,7 @@ class TestRefusals(Bridge):
 class TestLive(Bridge):
     def in_namespace(self, script, *words, **how):
         network.need_network()
-        return subprocess.run([*network.own_network(), "sh", "-c", script, "sh", *map(str, words)], capture_output=True,
+        return subprocess.run([*network.unshare("n"), "sh", "-c", script, "sh", *map(str, words)], capture_output=True,
                               encoding="utf-8", **how)
 
     def publish(self, ending, *words):
