@@ -30,6 +30,7 @@ try_root() {
   local suite=$1 root=$folder/$1
   [ -e "$root/etc/os-release" ] || make_root "$suite" "$root"
   cp /etc/resolv.conf "$root/etc/"
+  printf '127.0.0.1 localhost\n::1 localhost\n' >"$root/etc/hosts"  # as every machine has it
   mkdir -p "$root/dev/shm"
   if [ -n "${CERTIFICATES:-}" ]; then
     cp "$CERTIFICATES" "$root/usr/local/share/ca-certificates/own.crt"

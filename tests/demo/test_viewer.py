@@ -587,6 +587,9 @@ if __name__ == "__main__":
     if webdriver.installed() is None:
         print("SKIPPED: the replay page in a browser: there is no chromium with a chromedriver (Ubuntu's packages of these names are stubs)")
         sys.exit(77)
+    if not webdriver.knows_localhost():
+        print("SKIPPED: the replay page in a browser: this machine does not know the name localhost (/etc/hosts)")
+        sys.exit(77)
     template, sample = sys.argv[1:3]
     TEMPLATE = pathlib.Path(template).read_text(encoding="utf-8")
     SAMPLE = json.loads(pathlib.Path(sample).read_text(encoding="utf-8"))

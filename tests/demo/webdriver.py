@@ -10,6 +10,7 @@ import os
 import pathlib
 import re
 import shutil
+import socket
 import subprocess
 import tempfile
 import threading
@@ -39,6 +40,14 @@ def runs(program):
         return False
     return subprocess.run([program, "--version"], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                           stderr=subprocess.DEVNULL).returncode == 0
+
+
+def knows_localhost():
+    """Whether the name is one of this machine's: chromedriver calls the browser by it. A bare root has no /etc/hosts."""
+    try:
+        return bool(socket.getaddrinfo("localhost", 80))
+    except OSError:
+        return False
 
 
 @functools.lru_cache
