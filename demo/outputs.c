@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "outfile.h"
+#include "reader/file.h"
 
 #define FILES 7
 #define OUTPUTS 4 /* of them, the first */
@@ -62,8 +63,14 @@ static int try_log(const char *path, fault *why) {
   return 0;
 }
 
+static void list(const char *file[FILES], const settings *s) {
+  const char *const all[FILES] = {s->replay, s->save, s->json_path, s->log, s->mission, s->table, s->faults};
+  memcpy(file, all, sizeof all);
+}
+
 int outputs_check(const settings *s, fault *why) {
-  const char *const file[FILES] = {s->replay, s->save, s->json_path, s->log, s->mission, s->table, s->faults};
+  const char *file[FILES];
+  list(file, s);
   for (int i = 0; i < OUTPUTS; i++)
     for (int j = i + 1; j < FILES; j++)
       if (is_same(file[i], file[j]))
@@ -72,4 +79,14 @@ int outputs_check(const settings *s, fault *why) {
   for (int i = 0; i < OUTPUTS - 1; i++)
     if (try_file(file[i], why) != 0) return -1;
   return try_log(s->log, why);
+}
+
+int outputs_spare_read(const settings *s, fault *why) {
+  const char *file[FILES];
+  list(file, s);
+  for (int i = 0; i < OUTPUTS; i++)
+    if (is_file(file[i]) && file_was_read(file[i]))
+      return fault_set(why, "%s: is what %s names, and the output would overwrite the input; name another file",
+                       file[i], s->mission);
+  return 0;
 }

@@ -10,13 +10,14 @@
 #include "live.h"
 #include "outcome.h"
 #include "outfile.h"
-#include "outputs.h"
 #include "patience.h"
+#include "prepare.h"
 #include "printing.h"
 #include "quarter/status.h"
 #include "record.h"
 #include "runs.h"
 #include "settings.h"
+#include "stop.h"
 
 static const char help[] =
     "quarter-demo demo/missions/minefield/mission.yaml -o replay.html      learn, play a game, watch it in a browser\n"
@@ -50,7 +51,8 @@ static const char help[] =
     "Exit status: 0 done; 2 bad input, or an output that cannot be written; 3 a game of --processes was broken off, "
     "for "
     "world\n"
-    "or robots fell silent; 130 ended by Ctrl-C, replay and log whole.\n";
+    "or robots fell silent; 130 ended by Ctrl-C, replay and log whole; before the game\n"
+    "has begun at once, with nothing written.\n";
 
 static volatile int interrupted;
 static plan p;
@@ -59,12 +61,14 @@ static void on_interrupt(int number) {
   interrupted = 128 + number;
 }
 
+/* Those that came while the plan was made count as well. */
 static void catch_interrupts(void) {
   struct sigaction action;
   memset(&action, 0, sizeof action);
   action.sa_handler = on_interrupt;
   sigaction(SIGINT, &action, NULL);
   sigaction(SIGTERM, &action, NULL);
+  if (stop_signal() != 0) on_interrupt(stop_signal());
 }
 
 /* ---- one game ---- */
@@ -229,9 +233,10 @@ static int run_plan(const settings *s, fault *why) {
 }
 
 static int run(const settings *s, fault *why) {
-  if (outputs_check(s, why) != 0) return EXIT_BAD_INPUT;
-  if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, s->save, why) != 0) return EXIT_BAD_INPUT;
-  const int status = run_plan(s, why);
+  int status = prepare(&p, s, why);
+  if (status != 0) return status;
+  catch_interrupts();
+  status = run_plan(s, why);
   plan_free(&p);
   return status;
 }
@@ -242,7 +247,6 @@ int main(int argc, char **argv) {
   if (settings_parse(&s, argc, argv, &why) != 0) return fault_exit(&why);
   if (s.help) return print_whole("quarter-demo", help);
   if (s.version) return print_whole("quarter-demo", "quarter-demo " QTR_VERSION_STRING "\n");
-  catch_interrupts();
   const int status = run(&s, &why);
   if (status == 0) return interrupted != 0 ? interrupted : EXIT_SUCCESS;
   fault_exit(&why);

@@ -5,13 +5,14 @@
 #include <string.h>
 
 #include "outcome.h"
-#include "outputs.h"
 #include "patience.h"
+#include "prepare.h"
 #include "printing.h"
 #include "progress.h"
 #include "quarter/status.h"
 #include "record.h"
 #include "settings.h"
+#include "stop.h"
 
 #define LISTEN 0.7 /* seconds for another world to give itself away */
 
@@ -28,7 +29,8 @@ static const char help[] =
     "\n"
     "Exit status: 0 the game is over; 2 bad input, no robots, another world on the bus, or an output that cannot be "
     "written;\n"
-    "3 broken off, replay and log whole: its robots fell silent; 130 ended by Ctrl-C, replay and log whole.\n";
+    "3 broken off, replay and log whole: its robots fell silent; 130 ended by Ctrl-C, replay and log whole;\n"
+    "before the game has begun at once, with nothing written.\n";
 
 static volatile int interrupted;
 static plan p;
@@ -36,6 +38,13 @@ static arena a;
 
 static void on_interrupt(int number) {
   interrupted = 128 + number;
+}
+
+/* Those that came while the plan was made count as well. */
+static void catch_interrupts(void) {
+  signal(SIGINT, on_interrupt);
+  signal(SIGTERM, on_interrupt);
+  if (stop_signal() != 0) on_interrupt(stop_signal());
 }
 
 static uint64_t statuses; /* heard */
@@ -170,8 +179,10 @@ static int run(const settings *s, fault *why) {
   static fault_script faults;
   bus *b = NULL;
   int status = EXIT_BAD_INPUT;
-  if (check_own(s, why) != 0 || outputs_check(s, why) != 0) return EXIT_BAD_INPUT;
-  if (plan_make(&p, s->mission, s->table, s->robots, s->learn_limit, NULL, why) != 0) return EXIT_BAD_INPUT;
+  if (check_own(s, why) != 0) return EXIT_BAD_INPUT;
+  const int unprepared = prepare(&p, s, why);
+  if (unprepared != 0) return unprepared;
+  catch_interrupts();
   if (check_mine(s, why) == 0 &&
       (s->faults == NULL || faults_read(&faults, s->faults, p.t.policy.board.seekers, why) == 0) &&
       bus_open(&b, s->lcm_url, why) == 0)
@@ -187,8 +198,6 @@ int main(int argc, char **argv) {
   if (settings_parse(&s, argc, argv, &why) != 0) return fault_exit(&why);
   if (s.help) return print_whole("quarter-world", help);
   if (s.version) return print_whole("quarter-world", "quarter-world " QTR_VERSION_STRING "\n");
-  signal(SIGINT, on_interrupt);
-  signal(SIGTERM, on_interrupt);
   const int status = run(&s, &why);
   if (status == 0) return interrupted != 0 ? interrupted : EXIT_SUCCESS;
   fault_exit(&why);

@@ -10,33 +10,45 @@
 #include "progress.h"
 #include "quarter/export.h"
 #include "quarter/status.h"
+#include "stop.h"
 #include "study.h"
 
 static study *learnt;
+static options asked;
 
 /* ---- learning ---- */
 
-static int read_mission(options *o, const char *mission, int robots, fault *why) {
+int plan_read(const char *mission, int robots, fault *why) {
   static const option_set none = {"demo", " "};
   char name[] = "demo";
   char input[4096];
   snprintf(input, sizeof input, "%s", mission);
   char *words[] = {name, input, NULL};
-  if (options_parse(o, &none, 2, words, why) != 0) return -1;
-  o->robots = robots;
-  o->input = mission;
+  if (options_parse(&asked, &none, 2, words, why) != 0) return -1;
+  asked.robots = robots;
+  asked.input = mission;
+  free(learnt);
   learnt = memory_take(sizeof *learnt, why);
-  return learnt != NULL ? study_read(learnt, o, why) : -1;
+  return learnt != NULL ? study_read(learnt, &asked, why) : -1;
 }
 
 static void learn(double seconds) {
   const double begin = clock_seconds();
-  while (qtr_learner_step(&learnt->learner) == QTR_LEARNING && clock_seconds() - begin < seconds) continue;
+  while (!stop_asked() && qtr_learner_step(&learnt->learner) == QTR_LEARNING && clock_seconds() - begin < seconds)
+    continue;
+}
+
+static int not_learnt(const options *o, int status, fault *why) {
+  if (!stop_asked()) return fault_set(why, "%s: no policy table can be made: %s", o->input, qtr_strerror(status));
+  fault_set(why, "%s: ended (%s) while it was learnt; nothing was written", o->input, stop_reason());
+  why->status = EXIT_STOPPED;
+  return -1;
 }
 
 static int learn_table(table *t, const options *o, double seconds, fault *why) {
   if (study_begin(learnt, o, why) != 0) return -1;
   learn(seconds);
+  if (stop_asked()) return not_learnt(o, QTR_ERR_STOPPED, why);
   const uint32_t size = qtr_export_size(&learnt->learner);
   t->bytes.data = malloc(size);
   t->bytes.size = size;
@@ -44,7 +56,7 @@ static int learn_table(table *t, const options *o, double seconds, fault *why) {
   if (status > 0) status = qtr_policy_open(&t->policy, t->bytes.data, size);
   if (status == QTR_OK) return 0;
   free(t->bytes.data);
-  return fault_set(why, "%s: no policy table can be made: %s", o->input, qtr_strerror(status));
+  return not_learnt(o, status, why);
 }
 
 /* ---- a table from elsewhere ---- */
@@ -122,12 +134,10 @@ static void name_mission(plan *p, const char *mission) {
   snprintf(p->name, sizeof p->name, "%s", name);
 }
 
-int plan_make(plan *p, const char *mission, const char *table_path, int robots, double seconds, const char *save,
-              fault *why) {
-  static options o;
-  if (read_mission(&o, mission, robots, why) != 0) return -1;
-  name_mission(p, mission);
-  const int status = table_path != NULL ? read_table(&p->t, table_path, &o, why) : learn_table(&p->t, &o, seconds, why);
+int plan_make(plan *p, const char *table_path, double seconds, const char *save, fault *why) {
+  name_mission(p, asked.input);
+  const int status =
+      table_path != NULL ? read_table(&p->t, table_path, &asked, why) : learn_table(&p->t, &asked, seconds, why);
   if (status != 0) return -1;
   survey(p);
   if (save_table(&p->t, save, why) == 0) return 0;

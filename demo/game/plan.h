@@ -15,11 +15,13 @@ typedef struct {
   double expected_step;           /* of the find */
 } plan;
 
-/* Learn the mission's plan, for at most `seconds`, or read it from `table_path` (NULL: learn), which must be a table of this
- * very mission. `robots` 0: as the mission says. `save` (NULL: nowhere) names a file to write the table to. 0, or -1 with
- * *why set and nothing to free. */
-int plan_make(plan *p, const char *mission, const char *table_path, int robots, double seconds, const char *save,
-              fault *why);
+/* Read the mission that a plan is to be made of. `robots` 0: as it says. 0, or -1 with *why set. */
+int plan_read(const char *mission, int robots, fault *why);
+
+/* Learn its plan, for at most `seconds`, or read it from `table_path` (NULL: learn), which must be a table of this very
+ * mission. `save` (NULL: nowhere) names a file to write the table to. 0, or -1 with *why set and nothing to free; its status
+ * is EXIT_STOPPED, here and above, if a signal that stop.h catches came before there was a plan. */
+int plan_make(plan *p, const char *table_path, double seconds, const char *save, fault *why);
 void plan_free(plan *p);
 
 /* P(found by step), if all goes as planned. */

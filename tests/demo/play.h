@@ -19,11 +19,17 @@ static game_result play_result;
 static arena play_arena; /* as it was at the end; its world is gone */
 static fault play_why;
 
-/* The plan of a mission file. */
-static inline void play_prepare(const char *mission, int robots) {
+static inline int play_make(const char *mission, const char *table, int robots, const char *save) {
   plan_free(&play_plan);
   memset(&play_plan, 0, sizeof play_plan);
-  const int status = plan_make(&play_plan, mission, NULL, robots, PLAY_LEARN_LIMIT, NULL, &play_why);
+  memset(&play_why, 0, sizeof play_why);
+  return plan_read(mission, robots, &play_why) == 0 ? plan_make(&play_plan, table, PLAY_LEARN_LIMIT, save, &play_why)
+                                                    : -1;
+}
+
+/* The plan of a mission file. */
+static inline void play_prepare(const char *mission, int robots) {
+  const int status = play_make(mission, NULL, robots, NULL);
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, status, play_why.text);
 }
 
@@ -34,9 +40,7 @@ static inline void play_prepare_named(const char *name) {
   snprintf(mission, sizeof mission, "%s/demo/missions/%s/mission.yaml", QUARTER_SOURCE_DIR, name);
   run_tool(&run, "learn '%s' --episodes 50 -q -o named.qtr", mission);
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, run.status, run.err);
-  plan_free(&play_plan);
-  memset(&play_plan, 0, sizeof play_plan);
-  const int status = plan_make(&play_plan, mission, "named.qtr", 0, 1.0, NULL, &play_why);
+  const int status = play_make(mission, "named.qtr", 0, NULL);
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, status, play_why.text);
 }
 

@@ -27,6 +27,7 @@ from side_by_side import Runner  # noqa: E402
 ROOT = Path(__file__).resolve().parent.parent.parent
 MISSION = ROOT / "demo" / "missions" / "minefield" / "mission.yaml"
 TICK = 0.05
+LONG = ROOT / "tests" / "data" / "long.txt"  # is not learnt to the end
 BROKEN_OFF = 3  # exit status
 EVENTS = 2048  # that are kept of a game
 VIEWERS = 24  # at a time
@@ -160,6 +161,33 @@ class Outputs(Case):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["link.qtr", "own.qtr"])
         self.assertEqual(table.read_bytes(), asked.table.read_bytes())
 
+    def test_what_a_mission_names_is_not_overwritten(self):
+        own = self.folder / "own.yaml"
+        inputs = {"map.txt": "S.1\n...\n", "places.csv": "column,row,weight\n2,1,3\n"}
+        own.write_text("map: map.txt\nplaces_csv: places.csv\n", encoding="utf-8")
+        (self.folder / "link").symlink_to("map.txt")
+        for name, contents in inputs.items():
+            (self.folder / name).write_text(contents, encoding="utf-8")
+        for name in (*inputs, "link"):
+            for words in (["-o", name], ["--log", name], [f"--json={name}"], ["--save-table", name]):
+                for does in ("quarter-demo", "quarter-world")[: 1 if "--save-table" in words else 2]:
+                    with self.subTest(program=does, words=words):
+                        ended = network.Program(program(does, own, *words), cwd=self.folder).end()
+                        self.line(ended, 2, f"{name}: ", "overwrite the input")
+        for name, contents in inputs.items():
+            self.assertEqual((self.folder / name).read_text(encoding="utf-8"), contents)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["link", "map.txt", "own.yaml", "places.csv"])
+
+    def test_a_signal_before_there_is_a_plan_ends_it_at_once(self):
+        script = "import os, signal, sys\nsignal.pthread_sigmask(signal.SIG_BLOCK, [int(sys.argv[1])])\n" \
+                 "os.kill(os.getpid(), int(sys.argv[1]))\nos.execv(sys.argv[2], sys.argv[2:])"
+        for number in (signal.SIGINT, signal.SIGTERM):  # it is there before the program is
+            for name in ("quarter-demo", "quarter-world"):
+                with self.subTest(program=name, number=number):
+                    words = program(name, LONG, "--learn-limit", 10000, "-o", "page.html", "--log", "game.lcm")
+                    ended = network.Program([sys.executable, "-c", script, int(number), *words], cwd=self.folder).end()
+                    self.line(ended, 128 + number, "(interrupted)", "nothing was written")
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_world_refuses_what_it_does_not_do(self):
         for words in (["--save-table", "a.qtr"], ["--runs", 3], ["--live"], ["--follow"], ["--processes"], ["--lose-one"],

@@ -1,5 +1,10 @@
 /* The plan of a mission: who goes where when, with what chance, and no table of another mission. */
+#include <signal.h>
+#include <sys/time.h>
+#include <unistd.h>
+
 #include "play.h"
+#include "stop.h"
 
 void setUp(void) {
   file_forget("own.qtr"); /* each test is a process of its own to the tool */
@@ -66,25 +71,16 @@ static void test_a_plan_has_its_missions_name(void) {
 
 /* ---- tables from files ---- */
 
-static int make_from(const char *mission, const char *table) {
-  plan_free(&play_plan);
-  memset(&play_plan, 0, sizeof play_plan);
-  memset(&play_why, 0, sizeof play_why);
-  return plan_make(&play_plan, mission, table, 0, PLAY_LEARN_LIMIT, NULL, &play_why);
-}
-
 static void save_table_of(const char *rows) {
   write_drawing("own.txt", rows);
-  plan_free(&play_plan);
-  memset(&play_plan, 0, sizeof play_plan);
-  const int status = plan_make(&play_plan, "own.txt", NULL, 0, PLAY_LEARN_LIMIT, "own.qtr", &play_why);
+  const int status = play_make("own.txt", NULL, 0, "own.qtr");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, status, play_why.text);
 }
 
 static void test_a_saved_table_gives_the_same_plan(void) {
   save_table_of("1..S3/....2");
   const plan saved = play_plan;
-  TEST_ASSERT_EQUAL_INT_MESSAGE(0, make_from("own.txt", "own.qtr"), play_why.text);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, play_make("own.txt", "own.qtr", 0, NULL), play_why.text);
   TEST_ASSERT_EQUAL_DOUBLE(saved.expected_step, play_plan.expected_step);
   TEST_ASSERT_EQUAL_MEMORY(saved.step, play_plan.step, sizeof saved.step);
   TEST_ASSERT_EQUAL_MEMORY(saved.likelihood, play_plan.likelihood, sizeof saved.likelihood);
@@ -93,7 +89,7 @@ static void test_a_saved_table_gives_the_same_plan(void) {
 /* One line that names table, mission and what is different. */
 static void refuse(const char *rows, const char *difference) {
   write_drawing("other.txt", rows);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(-1, make_from("other.txt", "own.qtr"), rows);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(-1, play_make("other.txt", "own.qtr", 0, NULL), rows);
   TEST_ASSERT_NULL_MESSAGE(strchr(play_why.text, '\n'), play_why.text);
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(play_why.text, "own.qtr"), play_why.text);
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(play_why.text, "other.txt"), play_why.text);
@@ -114,9 +110,9 @@ static void test_a_table_of_another_mission_is_refused_by_what_is_different(void
 
 static void test_a_file_that_is_no_table_is_refused(void) {
   write_drawing("own.txt", "1..S3");
-  TEST_ASSERT_EQUAL_INT(-1, make_from("own.txt", "own.txt"));
+  TEST_ASSERT_EQUAL_INT(-1, play_make("own.txt", "own.txt", 0, NULL));
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(play_why.text, "own.txt"), play_why.text);
-  TEST_ASSERT_EQUAL_INT(-1, make_from("own.txt", "not_there.qtr"));
+  TEST_ASSERT_EQUAL_INT(-1, play_make("own.txt", "not_there.qtr", 0, NULL));
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(play_why.text, "not_there.qtr"), play_why.text);
 }
 
@@ -134,18 +130,52 @@ static void test_a_table_whose_bytes_were_damaged_is_refused(void) {
     TEST_ASSERT_NOT_NULL(file);
     fwrite(bytes, 1, size, file);
     fclose(file);
-    TEST_ASSERT_EQUAL_INT(-1, make_from("own.txt", "damaged.qtr"));
+    TEST_ASSERT_EQUAL_INT(-1, play_make("own.txt", "damaged.qtr", 0, NULL));
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(play_why.text, "damaged.qtr"), play_why.text);
     bytes[at] ^= 0x10;
   }
 }
 
 static void test_a_mission_that_cannot_be_played_is_refused(void) {
-  TEST_ASSERT_EQUAL_INT(-1, make_from("not_there.yaml", NULL));
+  TEST_ASSERT_EQUAL_INT(-1, play_make("not_there.yaml", NULL, 0, NULL));
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(play_why.text, "not_there.yaml"), play_why.text);
   write_drawing("closed.txt", "S#1");
-  TEST_ASSERT_EQUAL_INT(-1, make_from("closed.txt", NULL));
+  TEST_ASSERT_EQUAL_INT(-1, play_make("closed.txt", NULL, 0, NULL));
   TEST_ASSERT_NULL(strchr(play_why.text, '\n'));
+}
+
+/* ---- ended early ---- */
+
+static void interrupt(int number) {
+  (void)number;
+  raise(SIGINT);
+}
+
+/* Ends the process with status 0 if all is as it should be: what stop.h notes is never forgotten. */
+static void learn_interrupted(long microseconds) {
+  const struct itimerval once = {{0, 0}, {0, microseconds}};
+  signal(SIGVTALRM, interrupt);
+  stop_begin();
+  setitimer(ITIMER_VIRTUAL, &once, NULL);
+  const int status = play_make(QUARTER_SOURCE_DIR "/tests/data/long.txt", NULL, 8, "early.qtr");
+  const bool ended = status == -1 && play_why.status == EXIT_STOPPED && stop_signal() == SIGINT;
+  const bool said =
+      strstr(play_why.text, "(interrupted)") != NULL && strstr(play_why.text, "nothing was written") != NULL;
+  _exit(ended && said && access("early.qtr", F_OK) != 0 ? 0 : 1);
+}
+
+/* After so much of the learner's own time: before there is a first plan, and long after it. */
+static void test_a_signal_ends_the_learning_at_once_with_nothing_written(void) {
+  const long moments[] = {1, 1000, 20000, 300000, 900000};
+  for (unsigned i = 0; i < sizeof moments / sizeof moments[0]; i++) {
+    int status = -1;
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) learn_interrupted(moments[i]);
+    TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
+    snprintf(case_note, sizeof case_note, "after %ld microseconds", moments[i]);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, status, case_note);
+  }
 }
 
 int main(void) {
@@ -160,6 +190,7 @@ int main(void) {
   RUN_TEST(test_a_file_that_is_no_table_is_refused);
   RUN_TEST(test_a_table_whose_bytes_were_damaged_is_refused);
   RUN_TEST(test_a_mission_that_cannot_be_played_is_refused);
+  RUN_TEST(test_a_signal_ends_the_learning_at_once_with_nothing_written);
   plan_free(&play_plan);
   return UNITY_END();
 }
