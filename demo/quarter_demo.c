@@ -249,6 +249,6 @@ int main(int argc, char **argv) {
   if (s.version) return print_whole("quarter-demo", "quarter-demo " QTR_VERSION_STRING "\n");
   const int status = run(&s, &why);
   if (status == 0) return interrupted != 0 ? interrupted : EXIT_SUCCESS;
-  fault_exit(&why);
+  if (why.status != EXIT_STOPPED || !s.quiet) fault_exit(&why); /* who asked for the end and for silence gets both */
   return status;
 }

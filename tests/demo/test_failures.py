@@ -187,6 +187,8 @@ class Outputs(Case):
                     words = program(name, LONG, "--learn-limit", 10000, "-o", "page.html", "--log", "game.lcm")
                     ended = network.Program([sys.executable, "-c", script, int(number), *words], cwd=self.folder).end()
                     self.line(ended, 128 + number, "(interrupted)", "nothing was written")
+                    ended = network.Program([sys.executable, "-c", script, int(number), *words, "-q"], cwd=self.folder).end()
+                    self.assertEqual(ended, (128 + number, "", ""))
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_world_refuses_what_it_does_not_do(self):
