@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "exact_parts.h"
-#include "quarter/learner.h"
 
 qtr_steps exact_steps(const exact_problem *problem, int node, int place) {
   int row = problem->seekers + node;

@@ -60,6 +60,8 @@ int study_begin(study *s, const options *o, fault *why) {
   int status = s->aggregated ? make_aggregate(s, o, why) : QTR_OK;
   if (status != QTR_OK && status != QTR_ERR_STOPPED) return -1;
   s->aggregated = s->aggregated && status == QTR_OK;
+  /* An aggregate that was not ready in time leaves the true map, and there the mission's own rule. */
+  if (!s->aggregated) s->p.game.board.rule = s->p.in.mission.rule;
   status = qtr_environment_init(&s->ground, &s->p.game, NULL, &s->p.field);
   const qtr_environment *aggregate = s->aggregated ? &s->aggregate : NULL;
   if (status == QTR_OK) status = qtr_learner_init(&s->learner, &s->ground, aggregate, &config);

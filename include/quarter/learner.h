@@ -31,7 +31,6 @@
 #include "quarter/refine.h"
 
 #define QTR_LEAST_GAP 1e-12 /* a smaller gap is taken for this one: two sums that are equal may differ by as much */
-#define QTR_NEGLIGIBLE 1e-9 /* share of the objective that a certificate does not tell from nothing */
 #define QTR_FLOAT_GAP 1e-6  /* below, the Q-table holds doubles, at 4 bytes more an entry: floats would keep it open */
 
 enum qtr_setting { QTR_SETTING_CERTIFIED = 0, QTR_SETTING_PAPER = 1 };
@@ -66,14 +65,14 @@ typedef struct {
   double bound;         /* no policy does better than this in the mission's objective */
   double gap;           /* |objective - bound| / |objective| */
   bool certified;       /* gap is within the config's */
-  uint16_t
-      negligible_places; /* whose visits make up less than QTR_NEGLIGIBLE of the objective each, in the best game: the
-                                 certificate says nothing of their order, which goes by expected time where worths are equal */
-  uint64_t episodes;     /* games played, those given up early included */
-  uint64_t updates;      /* of Q entries that changed them */
-  double max_q;          /* largest Q of the first state, in units of reward (MaxQ of Fig. 4.5); certified: its least
+  /* Places that make up less than QTR_NEGLIGIBLE of the best game's objective each. The certificate says nothing of their
+   * order, which goes by expected time where worths are equal. */
+  uint16_t negligible_places;
+  uint64_t episodes;    /* games played, those given up early included */
+  uint64_t updates;     /* of Q entries that changed them */
+  double max_q;         /* largest Q of the first state, in units of reward (MaxQ of Fig. 4.5); certified: its least
                             so far, a bound on every policy of what is learnt on */
-  uint32_t price_steps;  /* subgradient steps of the bound */
+  uint32_t price_steps; /* subgradient steps of the bound */
 } qtr_certificate;
 
 /* The choices of a state, each with its Q and the entry that it is stored under. */

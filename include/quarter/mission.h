@@ -14,6 +14,7 @@ enum qtr_objective {
 };
 
 #define QTR_REWARD_SCALE 10.0 /* w of Eq. 4.2 */
+#define QTR_NEGLIGIBLE 1e-9   /* share of an objective: nobody calls an order optimal on which less than this depends */
 
 typedef struct {
   uint16_t columns, rows;          /* columns * rows <= QTR_MAX_CELLS */
