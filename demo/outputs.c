@@ -2,8 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <libgen.h>
-#include <limits.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,37 +16,15 @@ static bool exists(const char *path, struct stat *about) {
   return path != NULL && stat(path, about) == 0;
 }
 
-/* Of two files that are not there yet: the same name in the same folder. */
-static bool is_same_name(const char *a, const char *b) {
-  struct stat one, other;
-  char first[PATH_MAX], second[PATH_MAX];
-  if (strlen(a) >= sizeof first || strlen(b) >= sizeof second) return false;
-  if (strcmp(basename(strcpy(first, a)), basename(strcpy(second, b))) != 0) return false;
-  if (!exists(dirname(strcpy(first, a)), &one) || !exists(dirname(strcpy(second, b)), &other)) return false;
-  return one.st_dev == other.st_dev && one.st_ino == other.st_ino;
-}
-
 static bool is_file(const char *path) {
   return path != NULL && strcmp(path, "-") != 0;
 }
 
 /* By what they are, whatever they are called. Devices may be named twice. */
 static bool is_same(const char *a, const char *b) {
-  struct stat one, other;
-  if (!is_file(a) || !is_file(b)) return false;
-  const bool a_exists = exists(a, &one), b_exists = exists(b, &other);
-  if (!a_exists && !b_exists) return is_same_name(a, b);
-  return a_exists && b_exists && S_ISREG(one.st_mode) && one.st_dev == other.st_dev && one.st_ino == other.st_ino;
-}
-
-/* What is written whole at the end, and then renamed. To open a pipe would wait for its reader. */
-static int try_file(const char *path, fault *why) {
   struct stat about;
-  outfile out;
-  if (!is_file(path) || (exists(path, &about) && S_ISFIFO(about.st_mode))) return 0;
-  if (outfile_open(&out, path, why) != 0) return -1;
-  outfile_abort(&out);
-  return 0;
+  if (!is_file(a) || !is_file(b) || (exists(a, &about) && !S_ISREG(about.st_mode))) return false;
+  return outfile_is_same(a, b);
 }
 
 /* The log is written as the game goes on. What is there already is not touched yet. */
@@ -77,7 +53,7 @@ int outputs_check(const settings *s, fault *why) {
         return fault_set(why, "%s: named twice, and %s; name another file for one of them", file[i],
                          j < OUTPUTS ? "one output would overwrite the other" : "the output would overwrite the input");
   for (int i = 0; i < OUTPUTS - 1; i++)
-    if (try_file(file[i], why) != 0) return -1;
+    if (is_file(file[i]) && outfile_try(file[i], why) != 0) return -1;
   return try_log(s->log, why);
 }
 

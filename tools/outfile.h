@@ -16,6 +16,10 @@ typedef struct {
   char temporary[OUTFILE_PATH_SIZE]; /* empty: written directly, as a device, a pipe or standard output is */
 } outfile;
 
+/* Whether a file could be written there, found out before the work that fills it: what is there stays as it is. 0, or -1
+ * with *why set. */
+int outfile_try(const char *path, fault *why);
+
 /* Begin a file. `path` must last until the end. A file that the process has read is refused; one that is replaced keeps its
  * permissions. 0, or -1 with *why set and nothing left behind. */
 int outfile_open(outfile *out, const char *path, fault *why);

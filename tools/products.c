@@ -1,7 +1,6 @@
 #include "products.h"
 
 #include <string.h>
-#include <sys/stat.h>
 
 #include "outfile.h"
 
@@ -27,23 +26,13 @@ static int check_pair(const output *first, const output *second, fault *why) {
   return fault_set(why, "%s %s: is where %s goes; name another file", second->word, second->path, first->word);
 }
 
-/* A pipe that somebody reads is not opened for a trial: its reader would take that for the end. */
-static int try_out(const char *path, fault *why) {
-  struct stat about;
-  outfile out;
-  if (path == NULL || (stat(path, &about) == 0 && S_ISFIFO(about.st_mode))) return 0;
-  if (outfile_open(&out, path, why) != 0) return -1;
-  outfile_abort(&out);
-  return 0;
-}
-
 int products_check(const options *o, fault *why) {
   output outputs[OUTPUTS];
   list(outputs, o);
   for (int i = 0; i < OUTPUTS; i++) {
     for (int j = 0; j < i; j++)
       if (check_pair(&outputs[j], &outputs[i], why) != 0) return -1;
-    if (try_out(outputs[i].path, why) != 0) return -1;
+    if (outputs[i].path != NULL && outfile_try(outputs[i].path, why) != 0) return -1;
   }
   return 0;
 }
