@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "bytes.h"
-#include "crc.h"
+#include "core/bytes.h"
+#include "core/crc.h"
 #include "quarter/belief.h"
 #include "quarter/status.h"
 #include "support/random.h"

@@ -1,6 +1,6 @@
 /* profiles: host mcu */
 /* The checksum is the world's CRC-32, not one of our own. */
-#include "robot/crc.h"
+#include "core/crc.h"
 
 #include <string.h>
 

@@ -3,9 +3,9 @@
  * the states are equal but for who is who. */
 #include <string.h>
 
+#include "core/bytes.h"
 #include "quarter/joint.h"
 #include "quarter/status.h"
-#include "robot/bytes.h"
 #include "support/brute.h"
 #include "support/random.h"
 #include "unity.h"

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/bytes.h"
 #include "quarter/qtable.h"
 #include "quarter/status.h"
-#include "robot/bytes.h"
 #include "support/random.h"
 #include "unity.h"
 

@@ -2,7 +2,7 @@
 
 #include <stddef.h>
 
-#include "bytes.h"
+#include "core/bytes.h"
 #include "quarter/status.h"
 
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned node, unsigned place) {

@@ -2,7 +2,7 @@
 #ifndef QUARTER_TESTS_SPOT_GROUND_H
 #define QUARTER_TESTS_SPOT_GROUND_H
 
-#include "bytes.h"
+#include "core/bytes.h"
 #include "missions.h"
 #include "quarter/spots.h"
 

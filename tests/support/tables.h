@@ -2,14 +2,14 @@
 #ifndef QUARTER_TESTS_TABLES_H
 #define QUARTER_TESTS_TABLES_H
 
+#include "core/bytes.h"
+#include "core/crc.h"
 #include "missions.h"
 #include "quarter/export.h"
 #include "quarter/learner.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
 #include "random.h"
-#include "robot/bytes.h"
-#include "robot/crc.h"
 #include "unity.h"
 
 enum { TABLE_MOST = 64 * 1024 };

@@ -2,7 +2,7 @@
 
 #include <stddef.h>
 
-#include "bytes.h"
+#include "core/bytes.h"
 
 /* ---- set-up ---- */
 

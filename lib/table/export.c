@@ -3,8 +3,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "bytes.h"
-#include "crc.h"
+#include "core/bytes.h"
+#include "core/crc.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
 

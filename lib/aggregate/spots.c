@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "bytes.h"
+#include "core/bytes.h"
 #include "quarter/status.h"
 
 #define TOO_FAR HUGE_VAL

@@ -1,4 +1,4 @@
-#include "crc.h"
+#include "core/crc.h"
 
 /* Four bits at a time: 16 words of flash, twice the speed of bit by bit. */
 static const uint32_t nibble_table[16] = {0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u,

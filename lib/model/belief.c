@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "bytes.h"
-#include "crc.h"
+#include "core/bytes.h"
+#include "core/crc.h"
 #include "quarter/status.h"
 
 static const uint8_t magic[4] = {'Q', 'T', 'R', 'B'};

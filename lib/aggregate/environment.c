@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "bytes.h"
+#include "core/bytes.h"
 #include "quarter/status.h"
 
 static unsigned places_of(const qtr_environment *e) {
