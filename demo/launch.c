@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 #include "arena.h"
+#include "host/base/clock.h"
 #include "patience.h"
-#include "progress.h"
 #include "world.h"
 
 #define WORDS_MOST 40

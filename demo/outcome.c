@@ -1,7 +1,7 @@
 #include "outcome.h"
 
-#include "count.h"
-#include "outfile.h"
+#include "host/base/count.h"
+#include "host/base/outfile.h"
 #include "record.h"
 
 static void write_outcome(FILE *out, const plan *p, const game_result *result, const settings *s) {

@@ -6,8 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "outfile.h"
-#include "reader/file.h"
+#include "host/base/file.h"
+#include "host/base/outfile.h"
 
 #define FILES 7
 #define OUTPUTS 4 /* of them, the first */

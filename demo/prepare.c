@@ -1,7 +1,7 @@
 #include "prepare.h"
 
+#include "host/base/stop.h"
 #include "outputs.h"
-#include "stop.h"
 
 int prepare(plan *p, const settings *s, fault *why) {
   if (outputs_check(s, why) != 0) return EXIT_BAD_INPUT;

@@ -3,13 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "count.h"
 #include "follow.h"
-#include "json.h"
+#include "host/base/count.h"
+#include "host/base/json.h"
+#include "host/base/outfile.h"
+#include "host/base/stop.h"
 #include "launch.h"
 #include "live.h"
 #include "outcome.h"
-#include "outfile.h"
 #include "patience.h"
 #include "prepare.h"
 #include "printing.h"
@@ -17,7 +18,6 @@
 #include "record.h"
 #include "runs.h"
 #include "settings.h"
-#include "stop.h"
 
 static const char help[] =
     "quarter-demo demo/missions/minefield/mission.yaml -o replay.html      learn, play a game, watch it in a browser\n"

@@ -8,10 +8,10 @@
 #include <time.h>
 
 #include "bus.h"
+#include "host/table/table_check.h"
 #include "patience.h"
 #include "printing.h"
 #include "quarter/status.h"
-#include "table_check.h"
 #include "wiring.h"
 
 #define TABLE_MOST (64u << 20)

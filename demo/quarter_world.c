@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host/base/clock.h"
+#include "host/base/stop.h"
 #include "outcome.h"
 #include "patience.h"
 #include "prepare.h"
 #include "printing.h"
-#include "progress.h"
 #include "quarter/status.h"
 #include "record.h"
 #include "settings.h"
-#include "stop.h"
 
 #define LISTEN 0.7 /* seconds for another world to give itself away */
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "game.h"
-#include "refusal.h"
+#include "host/base/refusal.h"
 
 enum letter {
   TABLE = 1,

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "fault.h"
+#include "host/base/fault.h"
 
 typedef struct {
   const char *mission;

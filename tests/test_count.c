@@ -1,5 +1,5 @@
 /* Numbers with their nouns, and that no report of the tool says "1 places". */
-#include "count.h"
+#include "host/base/count.h"
 
 #include <ctype.h>
 #include <stdbool.h>

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "json.h"
+#include "host/base/json.h"
 #include "unity.h"
 
 static char *text;

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "outfile.h"
+#include "host/base/outfile.h"
 #include "unity.h"
 
 static char folder[32];

@@ -1,6 +1,6 @@
 /* PNG and BMP images beside PGM: the samples that map_server would see, and bytes that are not what they claim. The
  * images in tests/data/images were written by another program, byte by byte. */
-#include "reader/image.h"
+#include "host/input/image.h"
 
 #include <stdlib.h>
 #include <string.h>

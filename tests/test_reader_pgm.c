@@ -1,7 +1,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reader/pgm.h"
+#include "host/input/pgm.h"
 #include "unity.h"
 
 static fault why;

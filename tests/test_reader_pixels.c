@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reader/pixels.h"
+#include "host/input/pixels.h"
 #include "reader_scratch.h"
 
 #define SIDE 24

@@ -1,4 +1,4 @@
-#include "reader/rosmap.h"
+#include "host/input/rosmap.h"
 #include "reader_scratch.h"
 
 #define YAML(more) "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n" more

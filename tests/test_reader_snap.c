@@ -1,7 +1,7 @@
 /* Robots and places that are on no free cell of their own: all told at once, moved, or left out. */
 #include <math.h>
 
-#include "reader/frame.h"
+#include "host/input/frame.h"
 #include "reader_scratch.h"
 
 /* Column 0 to 6, rows 0 to 4; a wall with a gap, and a pocket of a cell that nobody gets to. */

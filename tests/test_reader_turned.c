@@ -1,5 +1,5 @@
 /* ROS maps whose origin has a yaw: positions in metres are turned into the grid of the image. */
-#include "reader/frame.h"
+#include "host/input/frame.h"
 #include "reader_scratch.h"
 
 void setUp(void) {

@@ -10,9 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "host/table/table.h"
 #include "quarter/robot.h"
 #include "support/random.h"
-#include "table.h"
 #include "unity.h"
 
 extern const uint8_t patrol[];

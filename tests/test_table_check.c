@@ -2,8 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "host/table/table_check.h"
 #include "support/tables.h"
-#include "table_check.h"
 #include "tool_run.h"
 
 #define FORGED QUARTER_SOURCE_DIR "/tests/data/forged/"

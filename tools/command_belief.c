@@ -4,14 +4,14 @@
 #include <sys/stat.h>
 
 #include "commands.h"
-#include "count.h"
 #include "history.h"
-#include "json.h"
+#include "host/base/count.h"
+#include "host/base/file.h"
+#include "host/base/json.h"
+#include "host/base/outfile.h"
 #include "options.h"
-#include "outfile.h"
 #include "products.h"
 #include "quarter/status.h"
-#include "reader/file.h"
 
 static const char help[] =
     "quarter belief mission.yaml --history games.csv -o places.csv      the places' weights, learnt from past games\n"

@@ -5,18 +5,18 @@
 #include <strings.h>
 
 #include "commands.h"
-#include "count.h"
 #include "draw_svg.h"
-#include "json.h"
-#include "memory.h"
-#include "outfile.h"
+#include "host/base/count.h"
+#include "host/base/json.h"
+#include "host/base/memory.h"
+#include "host/base/outfile.h"
+#include "host/plan/problem.h"
+#include "host/table/table.h"
 #include "print.h"
-#include "problem.h"
 #include "products.h"
 #include "quarter/regions.h"
 #include "quarter/spots.h"
 #include "quarter/status.h"
-#include "table.h"
 
 static const char help[] =
     "quarter draw mission.qtr -o mission.svg            the map, the places, each seeker's territory and route\n"

@@ -4,9 +4,9 @@
 
 #include "commands.h"
 #include "exact.h"
-#include "memory.h"
-#include "outfile.h"
-#include "progress.h"
+#include "host/base/clock.h"
+#include "host/base/memory.h"
+#include "host/base/outfile.h"
 #include "report.h"
 
 static const char help[] =

@@ -3,12 +3,12 @@
 #include <stdlib.h>
 
 #include "commands.h"
-#include "count.h"
-#include "json.h"
+#include "host/base/count.h"
+#include "host/base/json.h"
+#include "host/table/table.h"
 #include "print.h"
 #include "products.h"
 #include "report.h"
-#include "table.h"
 
 static const char help[] =
     "quarter inspect mission.qtr                        what a policy table holds: map, certificate, routes\n"

@@ -3,12 +3,12 @@
 #include <stdlib.h>
 
 #include "commands.h"
-#include "count.h"
-#include "json.h"
+#include "host/base/count.h"
+#include "host/base/json.h"
+#include "host/plan/simulation.h"
 #include "print.h"
 #include "products.h"
 #include "quarter/status.h"
-#include "simulation.h"
 
 static const char help[] =
     "quarter simulate mission.qtr                       robots walk the grid, each by its own copy of the table\n"

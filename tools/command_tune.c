@@ -2,13 +2,14 @@
 #include <stdlib.h>
 
 #include "commands.h"
-#include "count.h"
-#include "json.h"
-#include "memory.h"
+#include "host/base/clock.h"
+#include "host/base/count.h"
+#include "host/base/json.h"
+#include "host/base/memory.h"
+#include "host/base/stop.h"
+#include "host/plan/progress.h"
+#include "host/plan/study.h"
 #include "print.h"
-#include "progress.h"
-#include "stop.h"
-#include "study.h"
 
 static const char help[] =
     "quarter tune mission.yaml                          which spots lose least on the ground?\n"

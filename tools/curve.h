@@ -4,8 +4,8 @@
 #ifndef QUARTER_TOOLS_CURVE_H
 #define QUARTER_TOOLS_CURVE_H
 
-#include "fault.h"
-#include "outfile.h"
+#include "host/base/fault.h"
+#include "host/base/outfile.h"
 #include "quarter/learner.h"
 
 typedef struct {

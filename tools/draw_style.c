@@ -1,7 +1,7 @@
 #include <string.h>
 
 #include "draw_parts.h"
-#include "utf8.h"
+#include "host/base/utf8.h"
 
 enum { COLOURS = 7 };
 

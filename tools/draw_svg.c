@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "count.h"
 #include "draw_parts.h"
+#include "host/base/count.h"
 
 enum { PAD = 22, TITLE = 34, LONGEST_SIDE = 880 };
 

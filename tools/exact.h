@@ -3,7 +3,7 @@
 #ifndef QUARTER_TOOLS_EXACT_H
 #define QUARTER_TOOLS_EXACT_H
 
-#include "fault.h"
+#include "host/base/fault.h"
 #include "quarter/mission.h"
 
 typedef struct {

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "count.h"
+#include "host/base/count.h"
+#include "host/base/near.h"
+#include "host/base/text.h"
+#include "host/input/frame.h"
 #include "quarter/status.h"
-#include "reader/frame.h"
-#include "reader/near.h"
-#include "reader/text.h"
 
 #define WORD_SHOWN 60
 

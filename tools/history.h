@@ -13,8 +13,8 @@
 
 #include <stdint.h>
 
-#include "fault.h"
-#include "input.h"
+#include "host/base/fault.h"
+#include "host/input/input.h"
 #include "quarter/belief.h"
 
 /* What a history holds. */

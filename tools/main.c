@@ -8,9 +8,9 @@
 #include <unistd.h>
 
 #include "commands.h"
-#include "fault.h"
+#include "host/base/fault.h"
+#include "host/base/near.h"
 #include "quarter/status.h"
-#include "reader/near.h"
 
 static const char help[] =
     "quarter learn mission.yaml -o mission.qtr     divide the area among the robots, with a certificate\n"

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host/base/refusal.h"
 #include "quarter/joint.h"
 #include "quarter/mission.h"
-#include "refusal.h"
 
 /* One row an option: how it is spelt, and how its value is taken. */
 typedef struct {

@@ -1,6 +1,6 @@
 #include "print.h"
 
-#include "outfile.h"
+#include "host/base/outfile.h"
 #include "products.h"
 
 static int print_to(const char *path, print_writer write, const void *what, fault *why) {

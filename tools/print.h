@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "fault.h"
+#include "host/base/fault.h"
 #include "options.h"
 
 /* Writes `what` to a file. */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "outfile.h"
+#include "host/base/outfile.h"
 
 enum { OUTPUTS = 5 };
 

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "fault.h"
+#include "host/base/fault.h"
 #include "options.h"
 
 /* Once the input is read, and before any work: that each can be written, is none of the files that were read, under whatever

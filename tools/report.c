@@ -3,10 +3,10 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "count.h"
-#include "json.h"
+#include "host/base/count.h"
+#include "host/base/json.h"
+#include "host/base/stop.h"
 #include "print.h"
-#include "stop.h"
 
 void report_number_routes(report *r) {
   for (int seeker = 0; seeker < r->p->in.mission.seekers; seeker++)

@@ -6,13 +6,13 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "anywhere.h"
-#include "fault.h"
-#include "json.h"
+#include "host/base/fault.h"
+#include "host/base/json.h"
+#include "host/plan/anywhere.h"
+#include "host/plan/problem.h"
+#include "host/table/table.h"
 #include "options.h"
-#include "problem.h"
 #include "quarter/learner.h"
-#include "table.h"
 
 typedef struct {
   const char *command; /* "learn" or "exact" */

@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#include "fault.h"
+#include "host/base/fault.h"
 #include "messages.h"
 
 #define BUS_IN_PROCESS "memq://"

@@ -5,7 +5,7 @@
 
 #include "bus.h"
 #include "faults.h"
-#include "table.h"
+#include "host/table/table.h"
 #include "world.h"
 
 #define ARENA_TICK 0.05    /* seconds between messages: three steps of the world */

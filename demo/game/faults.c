@@ -1,7 +1,7 @@
 #include "faults.h"
 
-#include "reader/file.h"
-#include "reader/tree.h"
+#include "host/base/file.h"
+#include "host/input/tree.h"
 
 #define LATEST 1e6 /* seconds */
 

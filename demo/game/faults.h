@@ -9,7 +9,7 @@
 #ifndef QUARTER_DEMO_FAULTS_H
 #define QUARTER_DEMO_FAULTS_H
 
-#include "fault.h"
+#include "host/base/fault.h"
 
 #define FAULTS_MOST 64
 

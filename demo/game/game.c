@@ -5,7 +5,7 @@
 
 #include "baselines.h"
 #include "driver.h"
-#include "progress.h"
+#include "host/base/clock.h"
 #include "wiring.h"
 
 /* All that a game needs beside its arena. */

@@ -3,7 +3,7 @@
 #define QUARTER_DEMO_GAME_H
 
 #include "arena.h"
-#include "table.h"
+#include "host/table/table.h"
 
 enum game_strategy { STRATEGY_PLAN, STRATEGY_NEAREST, STRATEGY_INFORMED };
 

@@ -5,13 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "memory.h"
-#include "outfile.h"
-#include "progress.h"
+#include "host/base/clock.h"
+#include "host/base/memory.h"
+#include "host/base/outfile.h"
+#include "host/base/stop.h"
+#include "host/plan/study.h"
 #include "quarter/export.h"
 #include "quarter/status.h"
-#include "stop.h"
-#include "study.h"
 
 static study *learnt;
 static options asked;

@@ -2,8 +2,8 @@
 #ifndef QUARTER_DEMO_PLAN_H
 #define QUARTER_DEMO_PLAN_H
 
-#include "fault.h"
-#include "table.h"
+#include "host/base/fault.h"
+#include "host/table/table.h"
 
 typedef struct {
   table t;

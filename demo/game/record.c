@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "json.h"
-#include "outfile.h"
+#include "host/base/json.h"
+#include "host/base/outfile.h"
 #include "viewer_page.h"
 
 #define TURN 6.283185307179586

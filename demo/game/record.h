@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "game.h"
-#include "json.h"
+#include "host/base/json.h"
 #include "plan.h"
 
 #define RECORD_TICK 0.1 /* seconds between samples */

@@ -3,7 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "progress.h"
+#include "host/base/clock.h"
+#include "host/plan/progress.h"
 #include "rng.h"
 
 static int compare_doubles(const void *a, const void *b) {

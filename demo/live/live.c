@@ -7,7 +7,7 @@
 #include <strings.h>
 #include <time.h>
 
-#include "progress.h"
+#include "host/base/clock.h"
 
 #define FRAME 0.1         /* seconds of the game between frames */
 #define PULSE 2.0         /* seconds after which a viewer that has nothing to hear is looked after */

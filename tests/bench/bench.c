@@ -7,8 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "input.h"
-#include "progress.h"
+#include "host/base/clock.h"
+#include "host/input/input.h"
 #include "quarter/learner.h"
 
 #define MAPS_MOST 100

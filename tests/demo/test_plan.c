@@ -3,8 +3,8 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include "host/base/stop.h"
 #include "play.h"
-#include "stop.h"
 
 void setUp(void) {
   file_forget("own.qtr"); /* each test is a process of its own to the tool */

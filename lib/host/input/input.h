@@ -1,0 +1,95 @@
+/* A mission read from a file: a drawing, or a mission YAML and the map that it names (a drawing, a Moving AI map, or a
+ * ROS map_server YAML with its image).
+ *
+ * Where the sources leave a choice open:
+ * - What a file is, its contents say; its name's extension decides only where they do not.
+ * - In a mission whose map is a drawing, the mission's `robots` replace the drawing's S, and its `places` or
+ *   `places_csv` the drawing's digits; those marks are plain free cells then.
+ * - One start is shared by all robots of input_options.robots; several starts are one seeker each.
+ * - A map without metres has cells of 1 m with the origin at its lower-left corner, so that {x, y} works there too.
+ * - A point on the line between two cells belongs to the right or upper one.
+ * - Places keep the numbers that they have in the input, whichever are left out.
+ */
+#ifndef QUARTER_HOST_INPUT_H
+#define QUARTER_HOST_INPUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "host/base/fault.h"
+#include "host/base/notes.h"
+#include "quarter/mission.h"
+
+#define INPUT_PATH_SIZE 4096
+#define INPUT_NAME_SIZE 128
+
+/* The map frame in which the planning grid lies. Row 0 is the top row; without a turn y points up. */
+typedef struct {
+  bool metric;      /* false: the map has no metres, cell_size is 1 and the origin 0 */
+  double cell_size; /* metres a cell */
+  double origin_x;  /* metres: lower-left corner of the bottom-left cell, about which the grid is turned */
+  double origin_y;
+  double yaw; /* radians, counter-clockwise; 0: not turned */
+} input_frame;
+
+/* A position as the user states it: x and y in metres in the map frame, or column and row. */
+typedef struct {
+  bool metres;
+  double x, y;
+} input_position;
+
+/* The file in which a start or place is stated. */
+enum input_source { INPUT_FROM_MISSION, INPUT_FROM_MAP, INPUT_FROM_CSV };
+
+typedef struct {
+  uint8_t source; /* enum input_source */
+  int line;       /* from 1 */
+  int column;     /* from 1, in bytes; 0: the line says enough */
+} input_origin;
+
+typedef struct {
+  qtr_mission mission;
+  input_frame frame;
+  char path[INPUT_PATH_SIZE];                    /* the input itself */
+  char map[INPUT_PATH_SIZE];                     /* the map: the input again, or what the mission names */
+  char csv[INPUT_PATH_SIZE];                     /* the mission's places_csv; empty: none */
+  char name[INPUT_NAME_SIZE];                    /* the mission's `name`; empty: none */
+  bool objective_given, gamma_given, rule_given; /* stated in the mission file */
+  double robot_radius;                           /* metres by which obstacles were inflated */
+  input_origin start_origin[QTR_MAX_SEEKERS];
+  input_origin place_origin[QTR_MAX_PLACES];
+  input_position start_position[QTR_MAX_SEEKERS]; /* as stated: they may have been moved since */
+  input_position place_position[QTR_MAX_PLACES];
+  uint16_t place_number[QTR_MAX_PLACES]; /* in the input, where places may have been left out; ascending */
+  uint16_t places_stated;                /* in the input, the ones left out included */
+  notes note;
+  int map_notes; /* as many of them, the first, are about the map as ground to drive on */
+} input;
+
+typedef struct {
+  double cell_size; /* metres, overrides the mission's; 0: as the mission says, or else the map's resolution */
+  int robots;       /* overrides; 0: as many as the input has starts */
+  double snap;      /* metres, cells on a map without: as far may a start or place be moved to a free cell */
+  bool skip;        /* leave out places that are on no free cell */
+} input_options;
+
+/* Read `path` and everything it names. 0, or -1 with *fault set. `input` is large: keep it in static storage. Whether
+ * the starts reach the places is not looked at. */
+int input_read(input *in, const char *path, const input_options *options, fault *why);
+
+/* Note how a table numbers the places, if some were left out: it knows only those that are there. */
+void input_note_numbers(input *in);
+
+/* Let place `from` stand in the place of `to`, number and all: where places are left out. */
+void input_keep_place(input *in, int to, int from);
+
+/* The middle of a cell in the map frame, in metres. */
+void input_cell_centre(const input *in, qtr_cell cell, double *x, double *y);
+
+/* "place 3 (mission.yaml:17)" and "seeker 0 (area.txt:4:7)", for messages about a place or a seeker's start; the number is
+ * the input's. */
+void input_place_name(const input *in, int place, char *out, size_t size);
+void input_seeker_name(const input *in, int seeker, char *out, size_t size);
+
+#endif

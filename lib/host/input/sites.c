@@ -1,0 +1,145 @@
+#include "host/input/sites.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "host/base/count.h"
+#include "host/base/file.h"
+#include "host/input/frame.h"
+#include "host/input/snap.h"
+
+const char *sites_path(const input *in, input_origin origin) {
+  switch (origin.source) {
+  case INPUT_FROM_MAP: return in->map;
+  case INPUT_FROM_CSV: return in->csv;
+  default: return in->path;
+  }
+}
+
+static int site_fault(const input *in, input_origin origin, fault *why, const char *what) {
+  return file_fault(why, sites_path(in, origin), origin.line, origin.column, "%s", what);
+}
+
+static int check_whole(const input *in, input_position position, input_origin origin, fault *why) {
+  if (position.metres || (position.x == floor(position.x) && position.y == floor(position.y))) return 0;
+  return file_fault(why, sites_path(in, origin), origin.line, origin.column,
+                    "column %g, row %g is not a cell; give whole numbers", position.x, position.y);
+}
+
+int sites_add_start(input *in, input_position position, input_origin origin, fault *why) {
+  qtr_mission *mission = &in->mission;
+  if (check_whole(in, position, origin, why)) return -1;
+  if (mission->seekers >= QTR_MAX_SEEKERS) {
+    char what[200];
+    snprintf(what, sizeof what,
+             "more than %d robots, the most that this build holds; list fewer, or build with a larger QTR_MAX_SEEKERS",
+             QTR_MAX_SEEKERS);
+    return site_fault(in, origin, why, what);
+  }
+  mission->start[mission->seekers] = frame_cell(in, position);
+  in->start_origin[mission->seekers] = origin;
+  in->start_position[mission->seekers] = position;
+  mission->seekers++;
+  return 0;
+}
+
+int sites_add_place(input *in, input_position position, double weight, input_origin origin, fault *why) {
+  qtr_mission *mission = &in->mission;
+  char what[200];
+  if (check_whole(in, position, origin, why)) return -1;
+  if (!(weight > 0.0) || !isfinite(weight)) {
+    snprintf(what, sizeof what, "the weight %g of a place is not above 0; give its likelihood in any unit", weight);
+    return site_fault(in, origin, why, what);
+  }
+  if (mission->places >= QTR_MAX_PLACES) {
+    snprintf(what, sizeof what,
+             "more than %d places, the most that this build holds; list fewer, or build with a larger QTR_MAX_PLACES",
+             QTR_MAX_PLACES);
+    return site_fault(in, origin, why, what);
+  }
+  mission->place[mission->places] = frame_cell(in, position);
+  mission->weight[mission->places] = weight;
+  in->place_origin[mission->places] = origin;
+  in->place_position[mission->places] = position;
+  in->place_number[mission->places] = mission->places;
+  in->places_stated = ++mission->places;
+  return 0;
+}
+
+int sites_check_size(const char *path, long line, double columns, double rows, const char *mend, fault *why) {
+  if (!(columns >= 1.0) || !(rows >= 1.0)) {
+    return file_fault(why, path, line, 0, "%.0f x %.0f cells: there is no map; give it a column and a row at least",
+                      columns, rows);
+  }
+  if (columns > UINT16_MAX || rows > UINT16_MAX) {
+    return file_fault(why, path, line, 0, "%.0f x %.0f cells: at most %d columns and rows are possible; %s", columns,
+                      rows, UINT16_MAX, mend);
+  }
+  if (columns * rows > (double)QTR_MAX_CELLS) {
+    return file_fault(why, path, line, 0,
+                      "%.0f x %.0f cells are more than %ld, the most that this build holds; %s, or build with a larger "
+                      "QTR_MAX_CELLS",
+                      columns, rows, (long)QTR_MAX_CELLS, mend);
+  }
+  return 0;
+}
+
+/* Enough starts for `robots`: a single start serves them all. */
+static int share_start(input *in, int robots, fault *why) {
+  qtr_mission *mission = &in->mission;
+  if (robots < 0) return fault_set(why, "%s: %d robots; ask for 1 or more", file_short_path(in->path), robots);
+  if (robots == 0 || robots == mission->seekers) return 0;
+  if (mission->seekers > 1) {
+    return file_fault(why, in->path, 0, 0,
+                      "%d robots asked for, but the input has %s; ask for %d, or keep one start for all", robots,
+                      counted(mission->seekers, "start").text, mission->seekers);
+  }
+  if (robots > QTR_MAX_SEEKERS) {
+    return file_fault(
+        why, in->path, 0, 0,
+        "%d robots asked for, but this build holds %d; ask for fewer, or build with a larger QTR_MAX_SEEKERS", robots,
+        QTR_MAX_SEEKERS);
+  }
+  for (int i = 1; i < robots; i++) {
+    mission->start[i] = mission->start[0];
+    in->start_origin[i] = in->start_origin[0];
+  }
+  mission->seekers = (uint8_t)robots;
+  return 0;
+}
+
+/* The likelihoods are the weights' shares of their sum: both must be numbers that a double holds in full. */
+static int check_weights(const input *in, fault *why) {
+  const qtr_mission *mission = &in->mission;
+  double sum = 0.0;
+  for (int i = 0; i < mission->places; i++) sum += mission->weight[i];
+  if (!isfinite(sum)) {
+    return file_fault(why, in->path, 0, 0,
+                      "the weights of the places add up to more than a number holds; scale them down");
+  }
+  for (int i = 0; i < mission->places; i++) {
+    if (mission->weight[i] / sum >= DBL_MIN) continue;
+    char what[200];
+    snprintf(what, sizeof what,
+             "the weight %g of place %d is nothing beside the sum of all, %g; raise it, or drop the place",
+             mission->weight[i], i, sum);
+    return site_fault(in, in->place_origin[i], why, what);
+  }
+  return 0;
+}
+
+/* A map without a single free cell needs another mend than its places. */
+static int check_free(const input *in, fault *why) {
+  const size_t cells = (size_t)in->mission.columns * in->mission.rows;
+  if (memchr(in->mission.cost, 1, cells) != NULL) return 0;
+  for (size_t cell = 0; cell < cells; cell++)
+    if (in->mission.cost[cell] != 0) return 0;
+  return file_fault(why, in->map, 0, 0, "no cell of the map is free; check that it is the right one");
+}
+
+int sites_finish(input *in, const input_options *options, fault *why) {
+  if (check_free(in, why) || snap_all(in, options, why) || check_weights(in, why)) return -1;
+  return share_start(in, options->robots, why);
+}

@@ -1,0 +1,237 @@
+#include "host/input/tree.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "host/base/near.h"
+#include "host/base/text.h"
+#include "host/input/shape.h"
+
+int tree_line(tree_node *node) {
+  return (int)node->start_mark.line + 1;
+}
+
+int tree_fault(tree *yaml, tree_node *node, const char *format, ...) {
+  char message[FAULT_LINE];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(message, sizeof message, format, arguments);
+  va_end(arguments);
+  return file_fault(yaml->why, yaml->path, tree_line(node), 0, "%s", message);
+}
+
+/* Whether a line of the text starts with blanks among which there is a tab. */
+static bool has_tab_indent(const file_bytes *bytes, long line) {
+  text_lines lines;
+  text_start(&lines, bytes);
+  while (text_next(&lines)) {
+    if (lines.number != line) continue;
+    const char *tab = memchr(lines.line, '\t', lines.length);
+    return tab != NULL && text_blank(lines.line, (size_t)(tab - lines.line));
+  }
+  return false;
+}
+
+static int syntax_fault(tree *yaml, const yaml_parser_t *parser, const file_bytes *bytes) {
+  const char *problem = parser->problem != NULL ? parser->problem : "unknown";
+  const long line = (long)parser->problem_mark.line + 1;
+  if (parser->error == YAML_MEMORY_ERROR) return file_fault(yaml->why, yaml->path, 0, 0, "no memory to parse it");
+  if (parser->error == YAML_READER_ERROR) {
+    return file_fault(yaml->why, yaml->path, 0, 0, "is not YAML text: %s at byte %zu; check that it is the right file",
+                      problem, parser->problem_offset);
+  }
+  if (has_tab_indent(bytes, line))
+    return file_fault(yaml->why, yaml->path, line, 0,
+                      "the line is indented by a tab, which YAML does not take; use blanks instead");
+  return file_fault(yaml->why, yaml->path, line, (long)parser->problem_mark.column + 1,
+                    "not valid YAML: %s; mend the line or the one above it", problem);
+}
+
+/* That no second document follows. */
+static int check_single(tree *yaml, yaml_parser_t *parser, const file_bytes *bytes) {
+  yaml_document_t next;
+  if (!yaml_parser_load(parser, &next)) return syntax_fault(yaml, parser, bytes);
+  tree_node *root = yaml_document_get_root_node(&next);
+  int line = root == NULL ? 0 : tree_line(root);
+  yaml_document_delete(&next);
+  if (line == 0) return 0;
+  return file_fault(yaml->why, yaml->path, line, 0, "a second YAML document starts here; keep one in a file");
+}
+
+static int check_root(tree *yaml) {
+  tree_node *root = tree_root(yaml);
+  if (root == NULL) return file_fault(yaml->why, yaml->path, 0, 0, "holds no keys; write \"key: value\" lines");
+  if (root->type == YAML_MAPPING_NODE) return 0;
+  return tree_fault(yaml, root, "holds no keys, but a %s; write \"key: value\" lines",
+                    root->type == YAML_SEQUENCE_NODE ? "list" : "single value");
+}
+
+int tree_read(tree *yaml, const char *path, const file_bytes *bytes, fault *why) {
+  yaml_parser_t parser;
+  yaml->path = path;
+  yaml->why = why;
+  if (bytes->size > FILE_TEXT_LIMIT) {
+    return file_fault(why, path, 0, 0,
+                      "holds more than the %zu MiB that a YAML may have; check that it is the right one",
+                      FILE_TEXT_LIMIT >> 20);
+  }
+  if (shape_check(path, bytes, why)) return -1;
+  if (!yaml_parser_initialize(&parser)) return file_fault(why, path, 0, 0, "no memory to parse it");
+  yaml_parser_set_input_string(&parser, bytes->data, bytes->size);
+  if (!yaml_parser_load(&parser, &yaml->document)) {
+    syntax_fault(yaml, &parser, bytes);
+    yaml_parser_delete(&parser);
+    return -1;
+  }
+  int result = check_root(yaml);
+  if (result == 0) result = check_single(yaml, &parser, bytes);
+  if (result != 0) yaml_document_delete(&yaml->document);
+  yaml_parser_delete(&parser);
+  return result;
+}
+
+void tree_free(tree *yaml) {
+  yaml_document_delete(&yaml->document);
+}
+
+tree_node *tree_root(tree *yaml) {
+  return yaml_document_get_root_node(&yaml->document);
+}
+
+static tree_node *node_at(tree *yaml, int index) {
+  return yaml_document_get_node(&yaml->document, index);
+}
+
+/* A scalar's text; NULL for another node or one with a NUL inside. */
+static const char *scalar_text(tree_node *node) {
+  if (node->type != YAML_SCALAR_NODE) return NULL;
+  const char *text = (const char *)node->data.scalar.value;
+  return strlen(text) == node->data.scalar.length ? text : NULL;
+}
+
+static int unknown_key(tree *yaml, tree_node *node, const char *what, const char *key, tree_keys known) {
+  char list[400];
+  const char *nearest = near_word(key, known);
+  if (nearest != NULL)
+    return tree_fault(yaml, node, "unknown key '%.60s' of %s; did you mean '%s'?", key, what, nearest);
+  near_list(list, sizeof list, known);
+  return tree_fault(yaml, node, "unknown key '%.60s' of %s; known are %s", key, what, list);
+}
+
+static int known_index(const char *key, tree_keys known) {
+  for (int i = 0; known[i] != NULL; i++) {
+    if (strcmp(known[i], key) == 0) return i;
+  }
+  return -1;
+}
+
+int tree_check_keys(tree *yaml, tree_node *node, const char *what, tree_keys known, bool others) {
+  int line_of[32] = {0};
+  if (node->type != YAML_MAPPING_NODE) {
+    char list[400];
+    near_list(list, sizeof list, known);
+    return tree_fault(yaml, node, "%s is not a mapping; give it the keys %s", what, list);
+  }
+  for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++) {
+    tree_node *key = node_at(yaml, pair->key);
+    const char *text = scalar_text(key);
+    if (text == NULL) return tree_fault(yaml, key, "a key of %s is not a plain word; check the line", what);
+    int index = known_index(text, known);
+    if (index < 0) {
+      if (others && near_word(text, known) == NULL) continue;
+      return unknown_key(yaml, key, what, text, known);
+    }
+    if (line_of[index] != 0) {
+      return tree_fault(yaml, key, "key '%s' of %s is there twice (first in line %d); keep one", text, what,
+                        line_of[index]);
+    }
+    line_of[index] = tree_line(key);
+  }
+  return 0;
+}
+
+tree_node *tree_find(tree *yaml, tree_node *mapping, const char *key) {
+  if (mapping->type != YAML_MAPPING_NODE) return NULL;
+  for (const yaml_node_pair_t *pair = mapping->data.mapping.pairs.start; pair < mapping->data.mapping.pairs.top;
+       pair++) {
+    const char *text = scalar_text(node_at(yaml, pair->key));
+    if (text != NULL && strcmp(text, key) == 0) return node_at(yaml, pair->value);
+  }
+  return NULL;
+}
+
+tree_node *tree_need(tree *yaml, tree_node *mapping, const char *what, const char *key, const char *example) {
+  tree_node *node = tree_find(yaml, mapping, key);
+  if (node == NULL) tree_fault(yaml, mapping, "%s lacks the key '%s'; add \"%s: %s\"", what, key, key, example);
+  return node;
+}
+
+int tree_count(tree_node *list) {
+  if (list->type != YAML_SEQUENCE_NODE) return -1;
+  return (int)(list->data.sequence.items.top - list->data.sequence.items.start);
+}
+
+tree_node *tree_item(tree *yaml, tree_node *list, int index) {
+  return node_at(yaml, list->data.sequence.items.start[index]);
+}
+
+bool tree_plain(tree *yaml, tree_node *node, const char **text) {
+  (void)yaml;
+  *text = scalar_text(node);
+  return *text != NULL;
+}
+
+bool tree_has_number_key(tree *yaml, tree_node *mapping) {
+  if (mapping->type != YAML_MAPPING_NODE) return false;
+  for (const yaml_node_pair_t *pair = mapping->data.mapping.pairs.start; pair < mapping->data.mapping.pairs.top;
+       pair++) {
+    const char *text = scalar_text(node_at(yaml, pair->key));
+    double number;
+    if (text != NULL && text_number(&number, text, strlen(text)) == NULL) return true;
+  }
+  return false;
+}
+
+static int wrong_type(tree *yaml, tree_node *node, const char *key, const char *wanted) {
+  static const char *const kinds[] = {"nothing", "a single value", "a list", "a mapping"};
+  const char *text = scalar_text(node);
+  if (text != NULL && text[0] == '\0') return tree_fault(yaml, node, "'%s' has no value; give %s", key, wanted);
+  if (text != NULL) return tree_fault(yaml, node, "'%s' is \"%.60s\"; give %s", key, text, wanted);
+  return tree_fault(yaml, node, "'%s' is %s; give %s", key, kinds[node->type & 3], wanted);
+}
+
+int tree_number(tree *yaml, tree_node *node, const char *key, double *out) {
+  const char *text = scalar_text(node);
+  if (text == NULL || text[0] == '\0') return wrong_type(yaml, node, key, "a number");
+  const char *wrong = text_number(out, text, strlen(text));
+  if (wrong == NULL) return 0;
+  return tree_fault(yaml, node, "'%s' is \"%.60s\", which %s; give a number", key, text, wrong);
+}
+
+int tree_integer(tree *yaml, tree_node *node, const char *key, long *out) {
+  const char *text = scalar_text(node);
+  if (text != NULL && text_integer(out, text, strlen(text))) return 0;
+  return wrong_type(yaml, node, key, "a whole number");
+}
+
+int tree_text(tree *yaml, tree_node *node, const char *key, const char **out) {
+  const char *text = scalar_text(node);
+  if (text == NULL || text[0] == '\0') return wrong_type(yaml, node, key, "a text");
+  *out = text;
+  return 0;
+}
+
+int tree_word(tree *yaml, tree_node *node, const char *key, tree_keys words, int *out) {
+  const char *text = scalar_text(node);
+  for (int i = 0; text != NULL && words[i] != NULL; i++) {
+    if (strcasecmp(words[i], text) != 0) continue;
+    *out = i;
+    return 0;
+  }
+  char list[400], wanted[420];
+  near_list(list, sizeof list, words);
+  snprintf(wanted, sizeof wanted, "one of %s", list);
+  return wrong_type(yaml, node, key, wanted);
+}

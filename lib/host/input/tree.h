@@ -1,0 +1,60 @@
+/* A YAML document as a tree, with the line of every node and faults that name it. Nodes are
+ * libyaml's own; who goes through a document calls the functions here and none of libyaml's. */
+#ifndef QUARTER_HOST_TREE_H
+#define QUARTER_HOST_TREE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <yaml.h>
+
+#include "host/base/file.h"
+
+typedef struct {
+  const char *path; /* for faults; must outlive the tree */
+  fault *why;       /* where they go */
+  yaml_document_t document;
+} tree;
+
+typedef const yaml_node_t tree_node;
+
+/* Parse bytes that hold exactly one document, whose root is a mapping. 0, or -1 with *fault set and nothing to free. */
+int tree_read(tree *yaml, const char *path, const file_bytes *bytes, fault *why);
+void tree_free(tree *yaml);
+
+tree_node *tree_root(tree *yaml);
+int tree_line(tree_node *node); /* from 1 */
+int tree_fault(tree *yaml, tree_node *node, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* The keys that a mapping may have, ended by NULL. */
+typedef const char *const tree_keys[];
+
+/* That `node` is a mapping with keys from `known` only, each at most once. `what` names it for the user ("a place").
+ * With `others` keys that are nothing like a known one are allowed. 0, or -1 with the fault set. */
+int tree_check_keys(tree *yaml, tree_node *node, const char *what, tree_keys known, bool others);
+
+/* The value of a key; NULL if the mapping lacks it. */
+tree_node *tree_find(tree *yaml, tree_node *mapping, const char *key);
+
+/* The same, but lacking it is a fault that suggests `example`. */
+tree_node *tree_need(tree *yaml, tree_node *mapping, const char *what, const char *key, const char *example);
+
+/* Items of a list, -1 if it is none; and one of them. */
+int tree_count(tree_node *list);
+tree_node *tree_item(tree *yaml, tree_node *list, int index);
+
+/* Whether a node is a plain value, and its text. */
+bool tree_plain(tree *yaml, tree_node *node, const char **text);
+
+/* Whether a mapping has a number for a key, as {x: 0,5} has. */
+bool tree_has_number_key(tree *yaml, tree_node *mapping);
+
+/* A node's value as what it must be; `key` names it in the fault. 0, or -1 with the fault set. */
+int tree_number(tree *yaml, tree_node *node, const char *key, double *out);
+int tree_integer(tree *yaml, tree_node *node, const char *key, long *out);
+int tree_text(tree *yaml, tree_node *node, const char *key,
+              const char **out); /* not empty; lives as long as the tree */
+
+/* One of `words` (ended by NULL, case ignored), as its index. */
+int tree_word(tree *yaml, tree_node *node, const char *key, tree_keys words, int *out);
+
+#endif

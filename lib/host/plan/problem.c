@@ -1,0 +1,129 @@
+#include "host/plan/problem.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "host/base/stop.h"
+#include "products.h"
+#include "quarter/status.h"
+
+#define NAMES_SIZE 700
+
+static int64_t micrometres(double metres) {
+  return (int64_t)llround(metres * 1e6);
+}
+
+/* So that a robot can tell cells from its own pose. */
+static void set_frame(qtr_mission *mission, const input_frame *frame) {
+  if (!frame->metric || frame->yaw != 0.0) return;
+  mission->frame.cell_size_um = (uint32_t)micrometres(frame->cell_size);
+  mission->frame.origin_x_um = micrometres(frame->origin_x);
+  mission->frame.origin_y_um = micrometres(frame->origin_y);
+}
+
+static void override(qtr_mission *mission, const options *o) {
+  if (o->objective != OPTIONS_UNSET) mission->objective = (uint8_t)o->objective;
+  if (o->rule != OPTIONS_UNSET) mission->rule = (uint8_t)o->rule;
+  if (o->gamma > 0.0) mission->gamma = o->gamma;
+}
+
+/* "place 3 (file:line), place 5 (file:line), ...", cut off when the room is used up. */
+static void name_unreachable(const problem *p, char *names) {
+  size_t length = 0;
+  names[0] = '\0';
+  for (int place = 0; place < p->in.mission.places; place++) {
+    char name[300];
+    if (qtr_game_reachable(&p->game, (unsigned)place)) continue;
+    input_place_name(&p->in, place, name, sizeof name);
+    if (length + strlen(name) + 8 > NAMES_SIZE) {
+      snprintf(names + length, NAMES_SIZE - length, ", ...");
+      return;
+    }
+    length += (size_t)snprintf(names + length, NAMES_SIZE - length, "%s%s", length > 0 ? ", " : "", name);
+  }
+}
+
+static void drop_unreachable(problem *p) {
+  qtr_mission *mission = &p->in.mission;
+  uint16_t kept = 0;
+  for (uint16_t place = 0; place < mission->places; place++) {
+    if (!qtr_game_reachable(&p->game, place)) continue;
+    input_keep_place(&p->in, kept++, place);
+  }
+  mission->places = kept;
+}
+
+static int handle_unreachable(problem *p, const options *o, fault *why) {
+  char names[NAMES_SIZE];
+  name_unreachable(p, names);
+  if (!o->skip_unreachable)
+    return fault_set(why, "%s: no seeker can reach %s; move or remove them, or leave them out with --skip-unreachable",
+                     o->input, names);
+  drop_unreachable(p);
+  if (p->in.mission.places == 0)
+    return fault_set(why, "%s: no seeker can reach any place; move the starts or the places", o->input);
+  notes_add(&p->in.note, "%s: left out, for no seeker can reach them: %s", o->input, names);
+  return 0;
+}
+
+/* The gamma that leaves a share of e^-10 after so many steps, rounded up to the digits that tell it from 1. */
+static double mild_gamma(qtr_steps steps) {
+  const double unit = pow(10.0, floor(log10(10.0 / (double)steps)));
+  return steps > 20 ? 1.0 - floor(10.0 / (double)steps / unit) * unit : 0.6;
+}
+
+static int fault_discount(const problem *p, int place, const options *o, fault *why) {
+  const qtr_board *board = &p->game.board;
+  qtr_steps nearest = QTR_NEVER;
+  char name[300];
+  for (unsigned start = 0; start < board->starts; start++) {
+    const qtr_steps steps = qtr_board_steps(board, (unsigned)board->places + start, (unsigned)place);
+    if (steps < nearest) nearest = steps;
+  }
+  input_place_name(&p->in, place, name, sizeof name);
+  return fault_set(why,
+                   "%s: gamma %g leaves nothing to tell plans apart by: even the nearest place, %s, is %" PRIu32
+                   " steps away; take a gamma nearer 1, such as %g, or --objective time",
+                   o->input, p->in.mission.gamma, name, nearest, mild_gamma(nearest));
+}
+
+int problem_load(problem *p, const options *o, fault *why) {
+  const input_options reading = {o->cell_size, o->robots, o->snap, o->skip_unreachable};
+  if (input_read(&p->in, o->input, &reading, why) != 0) return -1;
+  override(&p->in.mission, o);
+  set_frame(&p->in.mission, &p->in.frame);
+  p->in.mission.watch = stop_watch();
+  return products_check(o, why);
+}
+
+int problem_measure(problem *p, const options *o, fault *why) {
+  const double begin = stop_seconds();
+  int culprit;
+  int status = qtr_mission_check(&p->in.mission, &culprit);
+  if (status == QTR_OK) status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
+  if (status == QTR_ERR_UNREACHABLE) {
+    if (handle_unreachable(p, o, why) != 0) return -1;
+    status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
+  }
+  p->travel_seconds = stop_seconds() - begin;
+  notes_print(&p->in.note, 0);
+  if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, o, why);
+  /* All places take as long as those that were measured; what comes after them until the first plan takes no time. */
+  if (status == QTR_ERR_STOPPED)
+    return stop_fault(why, o->input, "a first plan",
+                      begin + p->travel_seconds * p->in.mission.places / p->game.measured);
+  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));
+}
+
+int problem_read(problem *p, const options *o, fault *why) {
+  return problem_load(p, o, why) == 0 ? problem_measure(p, o, why) : -1;
+}
+
+uint32_t problem_free_cells(const problem *p) {
+  const uint32_t cells = (uint32_t)p->in.mission.columns * p->in.mission.rows;
+  uint32_t count = 0;
+  for (uint32_t cell = 0; cell < cells; cell++) count += p->in.mission.cost[cell] > 0;
+  return count;
+}

@@ -1,0 +1,216 @@
+#include "host/plan/simulation.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "quarter/mission.h"
+
+/* One robot and its body: what the executor does not know of. */
+typedef struct {
+  qtr_seeker seeker;
+  qtr_field *field;  /* the way to its target */
+  uint16_t heading;  /* the place that the field leads to */
+  qtr_cell cell;     /* where it stands */
+  qtr_cell entering; /* the cell that it is moving to */
+  double ready;      /* when it will be there */
+  double factor;     /* how much longer its moves take */
+  qtr_steps lost;    /* from when on it does nothing more */
+  bool moving;
+} robot;
+
+typedef struct {
+  robot *robots;
+  int count;
+  const table *t;
+  const options *o;
+  int finder;      /* the robot that found the target at this step and has not said so yet, or QTR_NOBODY */
+  qtr_places seen; /* places visited by any robot: for the record alone, no robot reads it */
+} world;
+
+/* ---- set-up ---- */
+
+static int check_seeker(int seeker, const char *name, const table *t, fault *why) {
+  if (seeker < t->policy.board.seekers) return 0;
+  return fault_set(why, "--%s: there is no seeker %d; the table has seekers 0 to %d", name, seeker,
+                   t->policy.board.seekers - 1);
+}
+
+static int check_place(unsigned place, const char *name, const table *t, fault *why) {
+  if (place < t->policy.board.places) return 0;
+  return fault_set(why, "--%s: there is no place %u; the table has places 0 to %d", name, place,
+                   t->policy.board.places - 1);
+}
+
+static int check_options(const table *t, const options *o, fault *why) {
+  for (int i = 0; i < o->lates; i++)
+    if (check_seeker(o->late[i].seeker, "late", t, why) != 0) return -1;
+  for (int i = 0; i < o->losts; i++)
+    if (check_seeker(o->lost[i].seeker, "lost", t, why) != 0) return -1;
+  if (o->target != OPTIONS_UNSET && check_place((unsigned)o->target, "target", t, why) != 0) return -1;
+  for (unsigned place = 0; place < QTR_MAX_PLACES; place++)
+    if (qtr_places_has(&o->clear, place) && check_place(place, "clear", t, why) != 0) return -1;
+  return 0;
+}
+
+static void set_faults(world *w) {
+  for (int i = 0; i < w->o->lates; i++) {
+    robot *late = &w->robots[w->o->late[i].seeker];
+    late->ready += w->o->late[i].wait;
+    late->factor *= w->o->late[i].factor;
+  }
+  for (int i = 0; i < w->o->losts; i++) {
+    robot *lost = &w->robots[w->o->lost[i].seeker];
+    if (w->o->lost[i].step < lost->lost) lost->lost = w->o->lost[i].step;
+  }
+}
+
+static void free_world(world *w) {
+  for (int i = 0; w->robots != NULL && i < w->count; i++) free(w->robots[i].field);
+  free(w->robots);
+}
+
+static int make_world(world *w, const table *t, const options *o, fault *why) {
+  const qtr_board *board = &t->policy.board;
+  *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, o, QTR_NOBODY, o->clear};
+  for (int i = 0; w->robots != NULL && i < w->count; i++) {
+    robot *r = &w->robots[i];
+    r->field = malloc(sizeof *r->field);
+    r->heading = QTR_STAND_DOWN;
+    r->cell = o->froms > 0 ? (qtr_cell)(o->from[i].row * t->policy.grid.columns + o->from[i].column)
+                           : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
+    r->factor = 1.0;
+    r->lost = QTR_NEVER;
+    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, &o->clear);
+  }
+  bool whole = w->robots != NULL;
+  for (int i = 0; whole && i < w->count; i++) whole = w->robots[i].field != NULL;
+  if (whole) {
+    set_faults(w);
+    return 0;
+  }
+  free_world(w);
+  return fault_set(why, "no memory for %d robots on this map", board->seekers);
+}
+
+/* ---- what happens at a step ---- */
+
+static void tell_others(world *w, int from, enum qtr_signal signal, unsigned territory, qtr_steps now) {
+  for (int i = 0; i < w->count; i++)
+    if (i != from && now < w->robots[i].lost) qtr_seeker_hear(&w->robots[i].seeker, signal, territory);
+}
+
+static void record_visit(simulation *s, world *w, int i, uint16_t place, qtr_steps now) {
+  if (qtr_places_has(&w->seen, place)) {
+    s->duplicates++;
+    return;
+  }
+  qtr_places_add(&w->seen, place);
+  s->visit[s->visits++] = (simulation_visit){place, (uint8_t)i, now};
+}
+
+/* A robot scans the places it stands on, and learns where to go next. */
+static bool scan(simulation *s, world *w, int i, qtr_steps now) {
+  robot *r = &w->robots[i];
+  if (now >= r->lost) return false;
+  const uint16_t place = qtr_seeker_target(&r->seeker);
+  if (place == QTR_STAND_DOWN || r->moving || qtr_policy_cell(&w->t->policy, place) != r->cell) return false;
+  record_visit(s, w, i, place, now);
+  if ((int)place == w->o->target && s->found_step == QTR_NEVER) {
+    s->found_step = now;
+    w->finder = w->o->clear_all ? QTR_NOBODY : i;
+  }
+  if (w->finder == i) return false;
+  qtr_seeker_visited(&r->seeker, place);
+  return true;
+}
+
+static void announce(simulation *s, world *w, int i, qtr_steps now) {
+  uint8_t territory;
+  if (now >= w->robots[i].lost) return;
+  if (w->finder == i) {
+    w->finder = QTR_NOBODY;
+    s->found_signals++;
+    qtr_seeker_hear(&w->robots[i].seeker, QTR_SIGNAL_FOUND, 0);
+    tell_others(w, i, QTR_SIGNAL_FOUND, 0, now);
+    return;
+  }
+  while (qtr_seeker_announce(&w->robots[i].seeker, &territory)) {
+    s->done_signals++;
+    tell_others(w, i, QTR_SIGNAL_TERRITORY_DONE, territory, now);
+  }
+}
+
+/* Set out for the next cell on the way to the target. */
+static void set_out(world *w, int i, qtr_steps now) {
+  robot *r = &w->robots[i];
+  if (now >= r->lost) return;
+  const uint16_t target = qtr_seeker_target(&r->seeker);
+  if (target == QTR_STAND_DOWN || r->moving || r->ready > now) return;
+  if (r->heading != target) qtr_seeker_field(&r->seeker, r->field);
+  r->heading = target;
+  r->entering = qtr_field_next(r->field, &w->t->policy.grid, r->cell);
+  if (r->entering == QTR_NO_CELL) { /* a table whose travel times do not fit its map: there is no way after all */
+    r->lost = now;
+    return;
+  }
+  /* A slow robot that moves on at once keeps the fraction of a step that it was early. */
+  const double from = now - r->ready < 1.0 ? r->ready : (double)now;
+  r->ready = from + r->factor * qtr_grid_cost(&w->t->policy.grid, r->entering);
+  r->moving = true;
+}
+
+static void arrive(robot *r, qtr_steps now) {
+  if (!r->moving || r->ready > now) return;
+  r->cell = r->entering;
+  r->moving = false;
+}
+
+/* One step of the world. Everything that happens at a step is seen before anyone moves on. Returns whether any robot
+ * still has something to do. */
+static bool step_world(simulation *s, world *w, qtr_steps now) {
+  bool busy = false;
+  for (int i = 0; i < w->count; i++) {
+    arrive(&w->robots[i], now);
+    while (w->robots[i].ready <= now && scan(s, w, i, now)) {}
+  }
+  for (int i = 0; i < w->count; i++) announce(s, w, i, now);
+  for (int i = 0; i < w->count; i++) {
+    set_out(w, i, now);
+    busy = busy || (now < w->robots[i].lost && qtr_seeker_target(&w->robots[i].seeker) != QTR_STAND_DOWN);
+  }
+  return busy;
+}
+
+/* ---- the account ---- */
+
+static int left_over(const world *w) {
+  int left = 0;
+  for (unsigned place = 0; place < w->t->policy.board.places; place++) left += !qtr_places_has(&w->seen, place);
+  return left;
+}
+
+static void add_up(simulation *s, const world *w) {
+  const table_certificate certificate = table_certificate_of(w->t);
+  s->value = 0.0;
+  double visited = 0.0;
+  double sum = 0.0;
+  for (int i = 0; i < s->visits; i++) {
+    const double probability = table_probability(w->t, s->visit[i].place);
+    const qtr_steps step = s->visit[i].step;
+    s->value += QTR_REWARD_SCALE * probability * pow(certificate.gamma, step > 0 ? step - 1.0 : 0.0);
+    visited += probability;
+    sum += probability * step;
+  }
+  s->expected_time = left_over(w) == 0 ? sum / (visited > 0.0 ? visited : 1.0) : NAN;
+  for (int i = 0; i < w->count; i++) s->off_table += w->robots[i].seeker.off_table;
+}
+
+int simulation_run(simulation *s, const table *t, const options *o, fault *why) {
+  world w;
+  if (check_options(t, o, why) != 0 || make_world(&w, t, o, why) != 0) return -1;
+  *s = (simulation){.found_step = QTR_NEVER};
+  while (step_world(s, &w, s->end)) s->end++;
+  add_up(s, &w);
+  free_world(&w);
+  return 0;
+}

@@ -1,0 +1,149 @@
+#include "host/table/table_check.h"
+
+#include <float.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "quarter/travel.h"
+
+#define MEND "learn it again"
+#define REWARD_SCALE 10.0 /* w of the paper's Eq. 4.2, as the learner has it */
+#define ROUNDING 1e-7     /* relative: what two ways to add up one value may differ by */
+
+static unsigned nodes_of(const qtr_policy *policy) {
+  return (unsigned)policy->board.places + policy->board.starts;
+}
+
+/* ---- travel times and regions against the grid ---- */
+
+static const char *say_steps(char *text, size_t size, qtr_steps steps) {
+  if (steps == QTR_NEVER)
+    snprintf(text, size, "no way");
+  else
+    snprintf(text, size, "%" PRIu32 " steps", steps);
+  return text;
+}
+
+static int check_times_to(const qtr_policy *policy, const qtr_field *field, unsigned place, const char *path,
+                          fault *why) {
+  const unsigned places = policy->board.places;
+  for (unsigned node = 0; node < nodes_of(policy); node++) {
+    const qtr_steps told = qtr_board_steps(&policy->board, node, place);
+    const qtr_steps true_steps = field->to_go[qtr_policy_cell(policy, node)];
+    char said[32], is[32];
+    if (told == true_steps) continue;
+    return fault_set(
+        why, "%s: its travel times are not its map's: from %s %u to place %u it says %s, the map gives %s; " MEND, path,
+        node < places ? "place" : "start", node < places ? node : node - places, place,
+        say_steps(said, sizeof said, told), say_steps(is, sizeof is, true_steps));
+  }
+  return 0;
+}
+
+/* A cell's region stands in for it: what one reaches the other must. */
+static int check_regions_to(const qtr_policy *policy, const qtr_field *field, unsigned place, const char *path,
+                            fault *why) {
+  const uint32_t cells = policy->regions != NULL ? qtr_grid_cells(&policy->grid) : 0;
+  for (uint32_t cell = 0; cell < cells; cell++) {
+    if (qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) continue;
+    const unsigned start = policy->regions[2 * cell] | (unsigned)policy->regions[2 * cell + 1] << 8;
+    const qtr_steps from_start = qtr_board_steps(&policy->board, policy->board.places + start, place);
+    if ((from_start == QTR_NEVER) == (field->to_go[cell] == QTR_NEVER)) continue;
+    return fault_set(
+        why, "%s: its regions are not its map's: the cell at column %u, row %u is cut off from its region; " MEND, path,
+        (unsigned)(cell % policy->grid.columns), (unsigned)(cell / policy->grid.columns));
+  }
+  return 0;
+}
+
+static int check_grid(const qtr_policy *policy, const char *path, fault *why) {
+  qtr_field *field = malloc(sizeof *field);
+  int status = field != NULL ? 0 : fault_set(why, "%s: no memory to check it", path);
+  for (unsigned place = 0; place < policy->board.places && status == 0; place++) {
+    if (qtr_field_fill(field, &policy->grid, qtr_policy_cell(policy, place)) != QTR_OK)
+      status = fault_set(why, "%s: place %u cannot be entered; " MEND, path, place);
+    if (status == 0) status = check_times_to(policy, field, place, path, why);
+    if (status == 0) status = check_regions_to(policy, field, place, path, why);
+  }
+  free(field);
+  return status;
+}
+
+/* ---- the certificate against the play ---- */
+
+static double load_double(const qtr_policy *policy, unsigned offset) {
+  uint64_t bits = 0;
+  double value;
+  for (int i = 7; i >= 0; i--) bits = bits << 8 | policy->bytes[offset + (unsigned)i];
+  memcpy(&value, &bits, sizeof value);
+  return value;
+}
+
+/* Each place's step of first visit in the nominal game, QTR_NEVER for none. */
+static void find_visits(const qtr_policy *policy, qtr_steps *visit) {
+  const qtr_board *board = &policy->board;
+  for (unsigned place = 0; place < board->places; place++) visit[place] = QTR_NEVER;
+  for (int seeker = 0; seeker < board->seekers; seeker++) {
+    unsigned node = (unsigned)board->places + board->start_of[seeker];
+    qtr_joint joint;
+    qtr_steps now = 0;
+    uint16_t place;
+    qtr_joint_start(&joint, board, NULL);
+    while ((place = qtr_policy_play(policy, &joint, seeker, &now, NULL)) != QTR_STAND_DOWN) {
+      const qtr_steps when = now + qtr_board_steps(board, node, place);
+      if (when < visit[place]) visit[place] = when;
+      node = place;
+    }
+  }
+}
+
+/* What the nominal game earns, and by how much the rounded likelihoods may make it differ. */
+typedef struct {
+  double value, time, value_error, time_error;
+} earnings;
+
+static earnings play(const qtr_policy *policy) {
+  const double gamma = load_double(policy, QTR_POLICY_GAMMA);
+  qtr_steps visit[QTR_MAX_PLACES];
+  earnings e = {0};
+  find_visits(policy, visit);
+  for (unsigned place = 0; place < policy->board.places; place++) {
+    const double likelihood = qtr_policy_weight(policy, place) / 4294967296.0;
+    const double worth = REWARD_SCALE * pow(gamma, visit[place] > 0 ? visit[place] - 1.0 : 0.0);
+    e.value += likelihood * worth;
+    e.time += likelihood * visit[place];
+    e.value_error += worth / 4294967296.0;
+    e.time_error += visit[place] / 4294967296.0;
+  }
+  e.value_error += ROUNDING * e.value;
+  e.time_error += ROUNDING * e.time;
+  return e;
+}
+
+static int check_certificate(const qtr_policy *policy, const char *path, fault *why) {
+  const bool by_time = policy->bytes[QTR_POLICY_OBJECTIVE] != 0;
+  const double value = load_double(policy, QTR_POLICY_VALUE);
+  const double time = load_double(policy, QTR_POLICY_TIME);
+  const double bound = load_double(policy, QTR_POLICY_BOUND);
+  const double gap = load_double(policy, QTR_POLICY_GAP);
+  const double objective = by_time ? time : value;
+  const double between = fabs(bound - objective) / objective;
+  const earnings e = play(policy);
+  if (objective >= DBL_MIN && fabs(gap - between) > ROUNDING * (1.0 + between))
+    return fault_set(why, "%s: its gap of %.3g is not what lies between its objective %.6g and its bound %.6g; " MEND,
+                     path, gap, objective, bound);
+  if (fabs(value - e.value) > e.value_error)
+    return fault_set(why, "%s: it says that it earns %.6g, and its routes earn %.6g; " MEND, path, value, e.value);
+  if (fabs(time - e.time) > e.time_error)
+    return fault_set(why, "%s: it says that a find takes %.6g steps, and by its routes it takes %.6g; " MEND, path,
+                     time, e.time);
+  return 0;
+}
+
+int table_check(const qtr_policy *policy, const char *path, fault *why) {
+  const int status = check_grid(policy, path, why);
+  return status == 0 ? check_certificate(policy, path, why) : status;
+}
