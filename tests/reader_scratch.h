@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "host/input/input.h"
+#include "host/input/read.h"
 #include "unity.h"
 
 #define SCRATCH_FILES 64

@@ -1,3 +1,4 @@
+#include "host/input/frame.h"
 #include "reader_scratch.h"
 
 void setUp(void) {
@@ -76,7 +77,6 @@ static void test_contents_decide_not_the_extension(void) {
 
 static void test_places_and_starts_have_names_and_positions(void) {
   char name[160], wanted[160];
-  double x, y;
   scratch_write("a.txt", "; here\nS.1\n..2\n");
   scratch_read("a.txt");
   input_place_name(&scratch_input, 1, name, sizeof name);
@@ -85,9 +85,9 @@ static void test_places_and_starts_have_names_and_positions(void) {
   input_seeker_name(&scratch_input, 0, name, sizeof name);
   snprintf(wanted, sizeof wanted, "seeker 0 (%s:2:1)", scratch_path("a.txt"));
   TEST_ASSERT_EQUAL_STRING(wanted, name);
-  input_cell_centre(&scratch_input, 2, &x, &y);
-  TEST_ASSERT_EQUAL_DOUBLE(2.5, x);
-  TEST_ASSERT_EQUAL_DOUBLE(1.5, y);
+  const input_position centre = frame_centre(&scratch_input, 2, true);
+  TEST_ASSERT_EQUAL_DOUBLE(2.5, centre.x);
+  TEST_ASSERT_EQUAL_DOUBLE(1.5, centre.y);
 }
 
 static void test_faults_name_line_and_column(void) {

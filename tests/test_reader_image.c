@@ -1,6 +1,6 @@
 /* PNG and BMP images beside PGM: the samples that map_server would see, and bytes that are not what they claim. The
  * images in tests/data/images were written by another program, byte by byte. */
-#include "host/input/image.h"
+#include "host/input/decode.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -35,7 +35,7 @@ static int decode_part(size_t size, enum image_alpha how) {
   memcpy(part.data, bytes.data, size);
   part.data[size] = '\0';
   image_free(&it);
-  const int result = image_read(&it, "m", &part, how, &why);
+  const int result = decode_image(&it, "m", &part, how, &why);
   free(part.data);
   return result;
 }
@@ -201,11 +201,11 @@ static void test_what_looks_like_an_image(void) {
   static const char *const others[] = {"BMW is a car, not an image", "map: a.txt", "#####", "PNG", "P9 1 1"};
   for (size_t i = 0; i < sizeof images / sizeof *images; i++) {
     const file_bytes one = {(unsigned char *)images[i], strlen(images[i])};
-    TEST_ASSERT_TRUE_MESSAGE(image_looks_like_one(&one), images[i]);
+    TEST_ASSERT_TRUE_MESSAGE(decode_is_image(&one), images[i]);
   }
   for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
     const file_bytes one = {(unsigned char *)others[i], strlen(others[i])};
-    TEST_ASSERT_FALSE_MESSAGE(image_looks_like_one(&one), others[i]);
+    TEST_ASSERT_FALSE_MESSAGE(decode_is_image(&one), others[i]);
   }
 }
 

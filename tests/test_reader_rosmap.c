@@ -1,3 +1,4 @@
+#include "host/input/frame.h"
 #include "host/input/rosmap.h"
 #include "reader_scratch.h"
 
@@ -81,10 +82,9 @@ static void test_rows_columns_and_the_frame(void) {
   TEST_ASSERT_EQUAL_DOUBLE(0.5, scratch_input.frame.cell_size);
   TEST_ASSERT_EQUAL_DOUBLE(-1.0, scratch_input.frame.origin_x);
   TEST_ASSERT_EQUAL_DOUBLE(2.0, scratch_input.frame.origin_y);
-  double x, y;
-  input_cell_centre(&scratch_input, 3, &x, &y);
-  TEST_ASSERT_EQUAL_DOUBLE(-0.25, x);
-  TEST_ASSERT_EQUAL_DOUBLE(2.25, y);
+  const input_position centre = frame_centre(&scratch_input, 3, true);
+  TEST_ASSERT_EQUAL_DOUBLE(-0.25, centre.x);
+  TEST_ASSERT_EQUAL_DOUBLE(2.25, centre.y);
 }
 
 static void test_unknown_is_blocked_unless_free_is_asked_for(void) {

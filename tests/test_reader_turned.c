@@ -43,10 +43,9 @@ static void test_a_map_turned_about_its_lower_left_corner(void) {
    * corner. */
   expect_turned(TURNED("0.6435011087932844"),
                 "map: m.yaml\nrobots: [{x: -0.95, y: 2.35}]\nplaces: [{x: -0.45, y: 3.35}]\n", 4, 2);
-  double x, y;
-  input_cell_centre(&scratch_input, 2, &x, &y);
-  TEST_ASSERT_DOUBLE_WITHIN(1e-12, -0.45, x);
-  TEST_ASSERT_DOUBLE_WITHIN(1e-12, 3.35, y);
+  const input_position centre = frame_centre(&scratch_input, 2, true);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-12, -0.45, centre.x);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-12, 3.35, centre.y);
 }
 
 static void test_cells_do_not_turn_with_the_map(void) {

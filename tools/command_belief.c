@@ -9,6 +9,8 @@
 #include "host/base/file.h"
 #include "host/base/json.h"
 #include "host/base/outfile.h"
+#include "host/input/frame.h"
+#include "host/input/read.h"
 #include "options.h"
 #include "products.h"
 #include "quarter/status.h"
@@ -51,9 +53,9 @@ typedef struct {
   bool resumed;                  /* from a saved belief */
   double before[QTR_MAX_PLACES]; /* the estimate before the history */
   double after[QTR_MAX_PLACES];
-} study;
+} estimation;
 
-static study studied;
+static estimation estimated;
 
 /* ---- the belief, new or saved ---- */
 
@@ -68,7 +70,7 @@ static uint32_t mark_of(const qtr_mission *mission) {
   return mark;
 }
 
-static int begin(study *s, fault *why) {
+static int begin(estimation *s, fault *why) {
   const qtr_mission *mission = &s->in.mission;
   const double strength = s->o->prior > 0.0 ? s->o->prior : 0.5 * mission->places;
   const double keep = s->o->keep > 0.0 ? s->o->keep : 1.0;
@@ -91,7 +93,7 @@ static const char *fault_of(int status) {
   }
 }
 
-static int load(study *s, fault *why) {
+static int load(estimation *s, fault *why) {
   const char *path = s->o->belief;
   file_bytes bytes;
   if (file_read(&bytes, path, FILE_TEXT_LIMIT, NULL, why) != 0) return -1;
@@ -113,7 +115,7 @@ static int load(study *s, fault *why) {
 }
 
 /* The belief to go on from: the saved one, if there is any. */
-static int take_up(study *s, fault *why) {
+static int take_up(estimation *s, fault *why) {
   const options *o = s->o;
   struct stat about;
   if (o->belief != NULL && stat(o->belief, &about) == 0) return load(s, why);
@@ -122,9 +124,8 @@ static int take_up(study *s, fault *why) {
   return file_fault(why, o->belief, 0, 0, "no such belief yet; name the games to begin it with by --history FILE");
 }
 
-static int learn(study *s, fault *why) {
-  const input_options reading = {s->o->cell_size, 0, s->o->snap, s->o->skip_unreachable};
-  if (input_read(&s->in, s->o->input, &reading, why) != 0) return -1;
+static int learn(estimation *s, fault *why) {
+  if (input_read(&s->in, s->o->input, &s->o->plan.reading, why) != 0) return -1;
   notes_print(&s->in.note, s->in.map_notes);
   if (take_up(s, why) != 0) return -1;
   qtr_belief_estimate(&s->belief, s->before);
@@ -136,21 +137,20 @@ static int learn(study *s, fault *why) {
 
 /* ---- writing ---- */
 
-static unsigned column_of(const study *s, unsigned place) {
+static unsigned column_of(const estimation *s, unsigned place) {
   return (unsigned)(s->in.mission.place[place] % s->in.mission.columns);
 }
 
-static unsigned row_of(const study *s, unsigned place) {
+static unsigned row_of(const estimation *s, unsigned place) {
   return (unsigned)(s->in.mission.place[place] / s->in.mission.columns);
 }
 
-static void write_csv(FILE *out, const study *s) {
+static void write_csv(FILE *out, const estimation *s) {
   fputs(s->in.frame.metric ? "x,y,weight\n" : "column,row,weight\n", out);
   for (unsigned place = 0; place < s->belief.places; place++) {
     if (s->in.frame.metric) {
-      double x, y;
-      input_cell_centre(&s->in, s->in.mission.place[place], &x, &y);
-      fprintf(out, "%.12g,%.12g,", x, y);
+      const input_position centre = frame_centre(&s->in, s->in.mission.place[place], true);
+      fprintf(out, "%.12g,%.12g,", centre.x, centre.y);
     } else {
       fprintf(out, "%u,%u,", column_of(s, place), row_of(s, place));
     }
@@ -158,16 +158,15 @@ static void write_csv(FILE *out, const study *s) {
   }
 }
 
-static void write_place(json *j, const study *s, unsigned place) {
+static void write_place(json *j, const estimation *s, unsigned place) {
   json_flat_object(j, NULL);
   json_integer(j, "number", s->in.place_number[place]);
   json_integer(j, "column", column_of(s, place));
   json_integer(j, "row", row_of(s, place));
   if (s->in.frame.metric) {
-    double x, y;
-    input_cell_centre(&s->in, s->in.mission.place[place], &x, &y);
-    json_number(j, "x", x);
-    json_number(j, "y", y);
+    const input_position centre = frame_centre(&s->in, s->in.mission.place[place], true);
+    json_number(j, "x", centre.x);
+    json_number(j, "y", centre.y);
   }
   json_natural(j, "found", s->tally.found[place]);
   json_number(j, "before", s->before[place]);
@@ -175,7 +174,7 @@ static void write_place(json *j, const study *s, unsigned place) {
   json_end_object(j);
 }
 
-static void write_json(FILE *out, const study *s) {
+static void write_json(FILE *out, const estimation *s) {
   json j;
   json_begin(&j, out);
   json_object(&j, NULL);
@@ -199,7 +198,7 @@ static void write_json(FILE *out, const study *s) {
   json_end_object(&j);
 }
 
-static void write_place_line(FILE *out, const study *s, unsigned place) {
+static void write_place_line(FILE *out, const estimation *s, unsigned place) {
   fprintf(out, "  place %u (column %u, row %u): ", s->in.place_number[place], column_of(s, place), row_of(s, place));
   if (s->o->history != NULL)
     fprintf(out, "%.4g -> %.4g, found %s\n", s->before[place], s->after[place],
@@ -208,7 +207,7 @@ static void write_place_line(FILE *out, const study *s, unsigned place) {
     fprintf(out, "%.4g\n", s->after[place]);
 }
 
-static void write_text(FILE *out, const study *s) {
+static void write_text(FILE *out, const estimation *s) {
   const history_tally *tally = &s->tally;
   fprintf(out, "%s: %s, whose prior counts for %s\n", s->o->input, counted(s->belief.places, "place").text,
           measured(s->strength, "find").text);
@@ -220,7 +219,7 @@ static void write_text(FILE *out, const study *s) {
   if (s->o->output != NULL) fprintf(out, "wrote %s\n", s->o->output);
 }
 
-static void write_belief(FILE *out, const study *s) {
+static void write_belief(FILE *out, const estimation *s) {
   static uint8_t bytes[QTR_BELIEF_BYTES(QTR_MAX_PLACES)];
   const int size = qtr_belief_save(&s->belief, bytes, sizeof bytes);
   fwrite(bytes, 1, (size_t)size, out);
@@ -230,7 +229,7 @@ static void write_belief(FILE *out, const study *s) {
 
 typedef struct {
   const char *path; /* NULL: not wanted */
-  void (*write)(FILE *out, const study *s);
+  void (*write)(FILE *out, const estimation *s);
   outfile out;
 } product;
 
@@ -247,7 +246,7 @@ static void plan(product *products, const options *o) {
 }
 
 /* Everything is begun before anything is written: what cannot be written stops all of it. */
-static int write_all(const study *s, fault *why) {
+static int write_all(const estimation *s, fault *why) {
   product products[PRODUCTS];
   int begun = 0, status = 0;
   plan(products, s->o);
@@ -273,13 +272,13 @@ int command_belief(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
-  memset(&studied, 0, sizeof studied);
-  studied.o = &o;
+  memset(&estimated, 0, sizeof estimated);
+  estimated.o = &o;
   if (o.belief != NULL && strcmp(o.belief, "-") == 0) {
     fault_set(&why, "--belief -: a saved belief is read and written; name a file");
     return fault_exit(&why);
   }
-  if (learn(&studied, &why) != 0 || products_check(&o, &why) != 0 || write_all(&studied, &why) != 0)
+  if (learn(&estimated, &why) != 0 || products_check(&o, &why) != 0 || write_all(&estimated, &why) != 0)
     return fault_exit(&why);
   return EXIT_SUCCESS;
 }

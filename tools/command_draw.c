@@ -12,6 +12,7 @@
 #include "host/base/outfile.h"
 #include "host/plan/problem.h"
 #include "host/table/table.h"
+#include "prepare.h"
 #include "print.h"
 #include "products.h"
 #include "quarter/regions.h"
@@ -101,7 +102,7 @@ static void free_sheet(sheet *s) {
 
 static int from_input(sheet *s, const options *o, fault *why) {
   const qtr_mission *mission = &desk->drawn.in.mission;
-  if (problem_read(&desk->drawn, o, why) != 0) return -1;
+  if (prepare_problem(&desk->drawn, o, why) != 0) return -1;
   const size_t cells = (size_t)mission->columns * mission->rows;
   s->cost = malloc(cells);
   if (s->cost == NULL) return fault_set(why, "%s: no memory for the picture", o->input);
@@ -194,9 +195,9 @@ static int from_table(sheet *s, const table *t, fault *why) {
 /* ---- regions and spots ---- */
 
 static int add_regions(sheet *s, const options *o, fault *why) {
-  const qtr_regions_config config = {.max_size = (uint32_t)o->region_size,
-                                     .diameter = (uint32_t)o->region_diameter,
-                                     .likelihood = o->region_likelihood,
+  const qtr_regions_config config = {.max_size = (uint32_t)o->plan.aggregation.region_size,
+                                     .diameter = (uint32_t)o->plan.aggregation.region_diameter,
+                                     .likelihood = o->plan.aggregation.region_likelihood,
                                      .places = (uint16_t)s->d.places,
                                      .place = s->place,
                                      .weight = s->likelihood};
@@ -225,7 +226,8 @@ static int add_regions(sheet *s, const options *o, fault *why) {
 
 static int add_spots(sheet *s, const options *o, fault *why) {
   const qtr_game *game = &desk->drawn.game;
-  const qtr_spots_config config = {(uint8_t)o->spot_size, (qtr_steps)o->spot_diameter, o->spot_likelihood};
+  const qtr_spots_config config = {(uint8_t)o->plan.aggregation.spot_size, (qtr_steps)o->plan.aggregation.spot_diameter,
+                                   o->plan.aggregation.spot_likelihood};
   const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, NULL, 0};
   if (game->board.places == 0)
     return fault_set(why, "%s: --spots goes with a mission or a drawing, not with a policy table", o->input);

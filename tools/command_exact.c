@@ -7,6 +7,7 @@
 #include "host/base/clock.h"
 #include "host/base/memory.h"
 #include "host/base/outfile.h"
+#include "prepare.h"
 #include "report.h"
 
 static const char help[] =
@@ -71,10 +72,10 @@ static void fill_report(report *r, const exact_solution *solution, const qtr_mis
 static int solve(const options *o, report *r, fault *why) {
   static exact_solution solution;
   solved = memory_take(sizeof *solved, why);
-  if (solved == NULL || problem_load(solved, o, why) != 0) return -1;
+  if (solved == NULL || prepare_load(solved, o, why) != 0) return -1;
   /* At once, but where places that nobody can reach are yet to be left out. */
-  if (!o->skip_unreachable && exact_check(&solved->in.mission, why) != 0) return -1;
-  if (problem_measure(solved, o, why) != 0) return -1;
+  if (!o->plan.reading.skip && exact_check(&solved->in.mission, why) != 0) return -1;
+  if (problem_measure(solved, &o->plan, why) != 0) return -1;
   const double begin = clock_seconds();
   *r = (report){.command = "exact", .ended = "certified", .o = o, .p = solved};
   qtr_steps *steps = measure(solved);

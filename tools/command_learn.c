@@ -8,6 +8,7 @@
 #include "host/base/stop.h"
 #include "host/plan/progress.h"
 #include "host/plan/study.h"
+#include "prepare.h"
 #include "quarter/export.h"
 #include "quarter/status.h"
 #include "report.h"
@@ -92,7 +93,7 @@ static int search(report *r, const options *o, fault *why) {
   progress shown;
   curve course;
   if (curve_begin(&course, o->curve, why) != 0) return -1;
-  progress_begin(&shown, o->quiet, o->time_limit, o->gap);
+  progress_begin(&shown, o->quiet, o->time_limit, o->plan.learner.gap);
   while (r->ended == NULL) {
     const enum qtr_learning learning = qtr_learner_step(&learnt->learner);
     qtr_learner_certificate(&learnt->learner, &r->certificate);
@@ -116,9 +117,9 @@ static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bo
 
 /* The bytes of the table that the options ask for, newly allocated. Their number, or 0 with *why set. */
 static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *why) {
-  r->anywhere = o->any_starts || o->any_cleared;
+  r->anywhere = o->plan.any_starts || o->plan.any_cleared;
   stop_after(o->time_limit);
-  if (r->anywhere) return anywhere_learn(learnt, o, bytes, &r->any, why);
+  if (r->anywhere) return anywhere_learn(learnt, &o->plan, bytes, &r->any, why);
   const uint32_t size = qtr_export_size(&learnt->learner);
   *bytes = malloc(size);
   const int32_t written = *bytes != NULL ? qtr_export(&learnt->learner, *bytes, size) : QTR_ERR_SPACE;
@@ -151,8 +152,8 @@ static int write_table(report *r, const options *o, fault *why) {
 
 /* Of what was learnt on, and how large it became. */
 static void count(report *r, const options *o) {
-  r->regions = o->by_regions && learnt->aggregated ? learnt->regions.count : 0;
-  r->spots = o->by_spots && learnt->aggregated ? learnt->aggregate.targets : 0;
+  r->regions = o->plan.aggregation.by_regions && learnt->aggregated ? learnt->regions.count : 0;
+  r->spots = o->plan.aggregation.by_spots && learnt->aggregated ? learnt->aggregate.targets : 0;
   r->q_entries = learnt->learner.table.entries;
   r->q_bytes = (uint64_t)learnt->learner.table.entries * qtr_qtable_entry_bytes(&learnt->learner.table);
 }
@@ -174,11 +175,11 @@ static void note_limits(const options *o) {
 static int learn(const options *o, report *r, fault *why) {
   stop_after(o->time_limit);
   learnt = memory_take(sizeof *learnt, why);
-  if (learnt == NULL || study_read(learnt, o, why) != 0) return -1;
+  if (learnt == NULL || prepare_problem(&learnt->p, o, why) != 0) return -1;
   note_limits(o);
-  stop_after(o->time_limit * (o->any_starts || o->any_cleared ? SEARCH_SHARE : 1.0));
+  stop_after(o->time_limit * (o->plan.any_starts || o->plan.any_cleared ? SEARCH_SHARE : 1.0));
   const double begin = stop_seconds();
-  if (study_begin(learnt, o, why) != 0) return -1;
+  if (study_begin(learnt, &o->plan, why) != 0) return -1;
   *r = (report){.command = "learn", .o = o, .p = &learnt->p};
   if (search(r, o, why) != 0) return -1;
   r->seconds = stop_seconds() - begin + learnt->p.travel_seconds;

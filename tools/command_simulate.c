@@ -50,7 +50,7 @@ typedef struct {
 } account;
 
 static bool was_visited(const simulation *s, const options *o, int place) {
-  if (qtr_places_has(&o->clear, (unsigned)place)) return true;
+  if (qtr_places_has(&o->game.clear, (unsigned)place)) return true;
   for (int i = 0; i < s->visits; i++)
     if (s->visit[i].place == place) return true;
   return false;
@@ -95,8 +95,8 @@ static void write_json(FILE *out, const void *what) {
   json_number(&j, "expected_time", s->expected_time);
   json_natural(&j, "off_table", s->off_table);
   json_natural(&j, "duplicates", (uint64_t)s->duplicates);
-  if (o->target != OPTIONS_UNSET) {
-    json_integer(&j, "target", o->target);
+  if (o->game.target != SIMULATION_NO_TARGET) {
+    json_integer(&j, "target", o->game.target);
     if (s->found_step != QTR_NEVER)
       json_natural(&j, "found_step", s->found_step);
     else
@@ -120,7 +120,7 @@ static void write_text(FILE *out, const void *what) {
   for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
     if (!was_visited(s, o, place)) fprintf(out, "  place %d was not visited\n", place);
   if (s->found_step != QTR_NEVER)
-    fprintf(out, "target found at place %d, step %" PRIu32 "\n", o->target, s->found_step);
+    fprintf(out, "target found at place %d, step %" PRIu32 "\n", o->game.target, s->found_step);
   else if (isnan(s->expected_time))
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
@@ -131,15 +131,15 @@ static void write_text(FILE *out, const void *what) {
 static int deploy(table *t, const options *o, fault *why) {
   const unsigned columns = t->policy.grid.columns;
   qtr_cell starts[QTR_MAX_SEEKERS];
-  if (o->froms == 0) return 0;
-  if (o->froms != t->policy.board.seekers)
+  if (o->game.froms == 0) return 0;
+  if (o->game.froms != t->policy.board.seekers)
     return fault_set(why, "--from: given %s, but the table has %s; give each its start",
-                     counted((uint64_t)o->froms, "time").text, counted(t->policy.board.seekers, "seeker").text);
-  for (int i = 0; i < o->froms; i++) {
-    if (o->from[i].column >= (int)columns || o->from[i].row >= (int)t->policy.grid.rows)
-      return fault_set(why, "--from %d,%d: off the map, which has %s and %s", o->from[i].column, o->from[i].row,
-                       counted(columns, "column").text, counted(t->policy.grid.rows, "row").text);
-    starts[i] = (qtr_cell)(o->from[i].row * (int)columns + o->from[i].column);
+                     counted((uint64_t)o->game.froms, "time").text, counted(t->policy.board.seekers, "seeker").text);
+  for (int i = 0; i < o->game.froms; i++) {
+    if (o->game.from[i].column >= (int)columns || o->game.from[i].row >= (int)t->policy.grid.rows)
+      return fault_set(why, "--from %d,%d: off the map, which has %s and %s", o->game.from[i].column,
+                       o->game.from[i].row, counted(columns, "column").text, counted(t->policy.grid.rows, "row").text);
+    starts[i] = (qtr_cell)(o->game.from[i].row * (int)columns + o->game.from[i].column);
   }
   if (qtr_policy_deploy(&t->policy, starts) == QTR_OK) return 0;
   return fault_set(why, "--from: an obstacle, or not a start of %s; name free cells, of a table made with --starts any",
@@ -149,7 +149,7 @@ static int deploy(table *t, const options *o, fault *why) {
 /* The table is open. */
 static int simulate(account *a, fault *why) {
   if (products_check(a->o, why) != 0 || deploy(&a->t, a->o, why) != 0) return -1;
-  if (simulation_run(&a->s, &a->t, a->o, why) != 0) return -1;
+  if (simulation_run(&a->s, &a->t, &a->o->game, why) != 0) return -1;
   return print_report(a->o, write_json, write_text, a, why);
 }
 

@@ -9,6 +9,7 @@
 #include "host/base/stop.h"
 #include "host/plan/progress.h"
 #include "host/plan/study.h"
+#include "prepare.h"
 #include "print.h"
 
 static const char help[] =
@@ -45,10 +46,7 @@ static const option_set set = {
 #define PROOF_EPISODES 20000u /* for the bound that all are measured against */
 
 typedef struct {
-  bool by_regions, by_spots;
-  int region_size, region_diameter;
-  int spot_size, spot_diameter, spot_order;
-  double spot_likelihood;
+  plan_aggregation how;
   uint32_t regions, spots;
   uint64_t entries;
   qtr_certificate certificate;
@@ -95,30 +93,30 @@ static void add_spot_tries(try like) {
   static const double likelihoods[] = {0.0, 0.25, 1.0};
   qtr_steps diameters[DIAMETERS];
   const int picked = pick_diameters(diameters);
-  like.by_spots = true;
+  like.how.by_spots = true;
   for (int size = 0; size < 4 && sizes[size] <= QTR_MAX_SPOT_SIZE; size++)
     for (int i = 0; i < picked; i++)
       for (int order = QTR_SPOT_BEST; order <= QTR_SPOT_NEAREST; order++)
         for (int weight = 0; weight < 3 && count < TRIES_MOST; weight++) {
-          like.spot_size = sizes[size];
-          like.spot_diameter = (int)diameters[i];
-          like.spot_order = order;
-          like.spot_likelihood = likelihoods[weight];
+          like.how.spot_size = sizes[size];
+          like.how.spot_diameter = (int)diameters[i];
+          like.how.spot_order = order;
+          like.how.spot_likelihood = likelihoods[weight];
           tries[count++] = like;
         }
 }
 
 static void add_tries(const options *o) {
-  const try plain = {.region_size = 25, .region_diameter = 15, .spot_size = 1, .spot_diameter = 1};
+  const try plain = {.how = {.region_size = 25, .region_diameter = 15, .spot_size = 1, .spot_diameter = 1}};
   tries[count++] = plain;
   add_spot_tries(plain);
-  if (o->setting != QTR_SETTING_PAPER) return;
+  if (o->plan.learner.setting != QTR_SETTING_PAPER) return;
   static const int sizes[][2] = {{9, 6}, {25, 15}};
   for (int i = 0; i < 2; i++) {
     try like = plain;
-    like.by_regions = true;
-    like.region_size = sizes[i][0];
-    like.region_diameter = sizes[i][1];
+    like.how.by_regions = true;
+    like.how.region_size = sizes[i][0];
+    like.how.region_diameter = sizes[i][1];
     tries[count++] = like;
     add_spot_tries(like);
   }
@@ -126,27 +124,16 @@ static void add_tries(const options *o) {
 
 /* ---- trying ---- */
 
-static void apply(const try *t, options *o) {
-  o->by_regions = t->by_regions;
-  o->by_spots = t->by_spots;
-  o->region_size = t->region_size;
-  o->region_diameter = t->region_diameter;
-  o->spot_size = t->spot_size;
-  o->spot_diameter = t->spot_diameter;
-  o->spot_order = t->spot_order;
-  o->spot_likelihood = t->spot_likelihood;
-}
-
-static int learn_try(try *t, const options *asked, uint64_t episodes, fault *why) {
-  options o = *asked;
-  apply(t, &o);
-  if (study_begin(tuned, &o, why) != 0) return -1;
+static int learn_try(try *t, const plan_config *asked, uint64_t episodes, fault *why) {
+  plan_config config = *asked;
+  config.aggregation = t->how;
+  if (study_begin(tuned, &config, why) != 0) return -1;
   do qtr_learner_certificate(&tuned->learner, &t->certificate);
   while (!stop_asked() && t->certificate.episodes < episodes && qtr_learner_step(&tuned->learner) == QTR_LEARNING);
   qtr_learner_certificate(&tuned->learner, &t->certificate);
   t->entries = tuned->learner.table.entries;
-  t->regions = t->by_regions && tuned->aggregated ? tuned->regions.count : 0;
-  t->spots = t->by_spots && tuned->aggregated ? tuned->aggregate.targets : 0;
+  t->regions = t->how.by_regions && tuned->aggregated ? tuned->regions.count : 0;
+  t->spots = t->how.by_spots && tuned->aggregated ? tuned->aggregate.targets : 0;
   return 0;
 }
 
@@ -158,11 +145,11 @@ static int compare_tries(const void *a, const void *b) {
 }
 
 /* The bound of the true map, and what is to be had there. */
-static int prove(const options *asked, fault *why) {
-  options o = *asked;
-  o.setting = QTR_SETTING_CERTIFIED;
-  proven = (try){.by_regions = false};
-  return learn_try(&proven, &o, PROOF_EPISODES, why);
+static int prove(const plan_config *asked, fault *why) {
+  plan_config config = *asked;
+  config.learner.setting = QTR_SETTING_CERTIFIED;
+  proven = (try){.how = {.by_regions = false}};
+  return learn_try(&proven, &config, PROOF_EPISODES, why);
 }
 
 /* The best bound that any try found is good for all: they share the ground. */
@@ -185,7 +172,7 @@ static int learn_all(const options *o, fault *why) {
   const double begin = clock_seconds();
   planned = count;
   for (int i = 0; i < count; i++) {
-    if (learn_try(&tries[i], o, episodes, why) != 0) return -1;
+    if (learn_try(&tries[i], &o->plan, episodes, why) != 0) return -1;
     /* What a stop came into is no fair try, but the first one, the true map, is. */
     if (stop_asked()) count = i > 0 ? i : 1;
     if (progress_wanted(o->quiet))
@@ -201,9 +188,9 @@ static int tune(const options *o, fault *why) {
   tuned = memory_take(sizeof *tuned, why);
   if (tuned == NULL) return -1;
   tuned->measuring = true;
-  if (study_read(tuned, o, why) != 0) return -1;
+  if (prepare_problem(&tuned->p, o, why) != 0) return -1;
   add_tries(o);
-  if (prove(o, why) != 0 || learn_all(o, why) != 0) return -1;
+  if (prove(&o->plan, why) != 0 || learn_all(o, why) != 0) return -1;
   share_bound();
   int kept = 0;
   tried = count;
@@ -221,37 +208,38 @@ static int tune(const options *o, fault *why) {
 
 static void write_options(FILE *out, const try *t) {
   static const char *const aggregate[] = {"none", "regions", "spots", "both"};
-  fprintf(out, "--aggregate %s", aggregate[(t->by_regions ? 1 : 0) + (t->by_spots ? 2 : 0)]);
-  if (t->by_regions) fprintf(out, " --region-size %d --region-diameter %d", t->region_size, t->region_diameter);
-  if (!t->by_spots) return;
-  fprintf(out, " --spot-size %d --spot-diameter %d --spot-order %s", t->spot_size, t->spot_diameter,
-          t->spot_order == QTR_SPOT_NEAREST ? "nearest" : "best");
-  if (t->spot_likelihood > 0.0) fprintf(out, " --spot-likelihood %g", t->spot_likelihood);
+  fprintf(out, "--aggregate %s", aggregate[(t->how.by_regions ? 1 : 0) + (t->how.by_spots ? 2 : 0)]);
+  if (t->how.by_regions)
+    fprintf(out, " --region-size %d --region-diameter %d", t->how.region_size, t->how.region_diameter);
+  if (!t->how.by_spots) return;
+  fprintf(out, " --spot-size %d --spot-diameter %d --spot-order %s", t->how.spot_size, t->how.spot_diameter,
+          t->how.spot_order == QTR_SPOT_NEAREST ? "nearest" : "best");
+  if (t->how.spot_likelihood > 0.0) fprintf(out, " --spot-likelihood %g", t->how.spot_likelihood);
 }
 
 static bool is_none(const try *t) {
-  return !t->by_regions && !t->by_spots;
+  return !t->how.by_regions && !t->how.by_spots;
 }
 static bool is_regions(const try *t) {
-  return t->by_regions && !t->by_spots;
+  return t->how.by_regions && !t->how.by_spots;
 }
 static bool is_spots(const try *t) {
-  return !t->by_regions && t->by_spots;
+  return !t->how.by_regions && t->how.by_spots;
 }
 static bool is_both(const try *t) {
-  return t->by_regions && t->by_spots;
+  return t->how.by_regions && t->how.by_spots;
 }
 static bool is_nearest(const try *t) {
-  return t->by_spots && t->spot_order == QTR_SPOT_NEAREST;
+  return t->how.by_spots && t->how.spot_order == QTR_SPOT_NEAREST;
 }
 static bool is_best_order(const try *t) {
-  return t->by_spots && t->spot_order == QTR_SPOT_BEST;
+  return t->how.by_spots && t->how.spot_order == QTR_SPOT_BEST;
 }
 static bool is_blind(const try *t) {
-  return t->by_spots && t->spot_likelihood == 0.0;
+  return t->how.by_spots && t->how.spot_likelihood == 0.0;
 }
 static bool is_likely(const try *t) {
-  return t->by_spots && t->spot_likelihood > 0.0;
+  return t->how.by_spots && t->how.spot_likelihood > 0.0;
 }
 
 /* The best try of each kind: what an option buys, all others being free. */
@@ -286,7 +274,7 @@ static void write_text(FILE *out, const void *what) {
   for (int i = 0; i < count && i < 10; i++) {
     const try *t = &tries[i];
     fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap, t->certificate.objective,
-            t->entries, t->by_spots ? t->spots : tuned->p.game.board.places);
+            t->entries, t->how.by_spots ? t->spots : tuned->p.game.board.places);
     write_options(out, t);
     fputc('\n', out);
   }
@@ -319,12 +307,12 @@ static void write_json(FILE *out, const void *what) {
     json_natural(&j, "q_entries", t->entries);
     json_natural(&j, "regions", t->regions);
     json_natural(&j, "spots", t->spots);
-    json_integer(&j, "region_size", t->by_regions ? t->region_size : 0);
-    json_integer(&j, "region_diameter", t->by_regions ? t->region_diameter : 0);
-    json_integer(&j, "spot_size", t->by_spots ? t->spot_size : 0);
-    json_integer(&j, "spot_diameter", t->by_spots ? t->spot_diameter : 0);
-    json_string(&j, "spot_order", t->spot_order == QTR_SPOT_NEAREST ? "nearest" : "best");
-    json_number(&j, "spot_likelihood", t->spot_likelihood);
+    json_integer(&j, "region_size", t->how.by_regions ? t->how.region_size : 0);
+    json_integer(&j, "region_diameter", t->how.by_regions ? t->how.region_diameter : 0);
+    json_integer(&j, "spot_size", t->how.by_spots ? t->how.spot_size : 0);
+    json_integer(&j, "spot_diameter", t->how.by_spots ? t->how.spot_diameter : 0);
+    json_string(&j, "spot_order", t->how.spot_order == QTR_SPOT_NEAREST ? "nearest" : "best");
+    json_number(&j, "spot_likelihood", t->how.spot_likelihood);
     json_end_object(&j);
   }
   json_end_array(&j);

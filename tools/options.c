@@ -104,50 +104,53 @@ static int take_robots(options *o, const char *name, const char *value, fault *w
   if (count > QTR_MAX_SEEKERS)
     return fault_set(why, "--%s %s: this build holds %d seekers; rebuild with a larger QTR_MAX_SEEKERS", name, value,
                      QTR_MAX_SEEKERS);
-  o->robots = (int)count;
+  o->plan.reading.robots = (int)count;
   return 0;
 }
 
 static int take_objective(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->objective, name, value, "discounted", "time", why);
+  return take_word(&o->plan.objective, name, value, "discounted", "time", why);
 }
 
 static int take_rule(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->rule, name, value, "free", "paper", why);
+  return take_word(&o->plan.rule, name, value, "free", "paper", why);
 }
 
 static int take_gamma(options *o, const char *name, const char *value, fault *why) {
-  if (take_number(&o->gamma, name, value, "above 0 and below 1", 0.0, 1.0, why) != 0) return -1;
-  if (o->gamma <= 0.0 || o->gamma >= 1.0)
+  if (take_number(&o->plan.gamma, name, value, "above 0 and below 1", 0.0, 1.0, why) != 0) return -1;
+  if (o->plan.gamma <= 0.0 || o->plan.gamma >= 1.0)
     return fault_set(why, "--%s %s: not a number above 0 and below 1", name, value);
   return 0;
 }
 
 static int take_cell_size(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->cell_size, name, value, "of metres, from 0.001 to 1000", 1e-3, 1e3, why);
+  return take_number(&o->plan.reading.cell_size, name, value, "of metres, from 0.001 to 1000", 1e-3, 1e3, why);
 }
 
 static int take_skip_unreachable(options *o, const char *name, const char *value, fault *why) {
   (void)name;
   (void)value;
   (void)why;
-  o->skip_unreachable = true;
+  o->plan.reading.skip = true;
   return 0;
 }
 
 static int take_snap(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->snap, name, value, "of metres (of cells, on a map without metres), from 0 to 1e6", 0.0, 1e6,
-                     why);
+  return take_number(&o->plan.reading.snap, name, value, "of metres (of cells, on a map without metres), from 0 to 1e6",
+                     0.0, 1e6, why);
 }
 
 static int take_learner(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->setting, name, value, "certified", "paper", why);
+  int setting = 0;
+  if (take_word(&setting, name, value, "certified", "paper", why) != 0) return -1;
+  o->plan.learner.setting = (uint8_t)setting;
+  return 0;
 }
 
 /* KIND[:FIRST[:LAST[:DECAY]]] */
 static int take_explore(options *o, const char *name, const char *value, fault *why) {
   static const char *const kinds[] = {"uniform", "epsilon", "softmax"};
-  qtr_exploration_plan *plan = &o->exploration;
+  qtr_exploration_plan *plan = &o->plan.learner.exploration;
   const size_t length = strcspn(value, ":");
   int kind = 0;
   while (kind < 3 && (strlen(kinds[kind]) != length || strncmp(kinds[kind], value, length) != 0)) kind++;
@@ -167,68 +170,68 @@ static int take_explore(options *o, const char *name, const char *value, fault *
 }
 
 static int take_alpha(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->alpha, name, value, "above 0 up to 1", 1e-9, 1.0, why);
+  return take_number(&o->plan.learner.alpha, name, value, "above 0 up to 1", 1e-9, 1.0, why);
 }
 
 static int take_aggregate(options *o, const char *name, const char *value, fault *why) {
   static const char *const words[] = {"none", "regions", "spots", "both"};
   for (int i = 0; i < 4; i++) {
     if (strcmp(value, words[i]) != 0) continue;
-    o->by_regions = (i & 1) != 0;
-    o->by_spots = (i & 2) != 0;
+    o->plan.aggregation.by_regions = (i & 1) != 0;
+    o->plan.aggregation.by_spots = (i & 2) != 0;
     return 0;
   }
   return fault_set(why, "--%s %s: say none, regions, spots or both", name, value);
 }
 
 static int take_region_size(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->region_size, name, value, 1, QTR_MAX_REGION_SIZE, why);
+  return take_int(&o->plan.aggregation.region_size, name, value, 1, QTR_MAX_REGION_SIZE, why);
 }
 
 static int take_region_diameter(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->region_diameter, name, value, 1, QTR_MAX_REGION_DIAMETER, why);
+  return take_int(&o->plan.aggregation.region_diameter, name, value, 1, QTR_MAX_REGION_DIAMETER, why);
 }
 
 static int take_region_likelihood(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->region_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
+  return take_number(&o->plan.aggregation.region_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
 }
 
 static int take_region_times(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->region_times, name, value, "representative", "true", why);
+  return take_word(&o->plan.aggregation.region_times, name, value, "representative", "true", why);
 }
 
 static int take_spot_size(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->spot_size, name, value, 1, QTR_MAX_SPOT_SIZE, why);
+  return take_int(&o->plan.aggregation.spot_size, name, value, 1, QTR_MAX_SPOT_SIZE, why);
 }
 
 static int take_spot_diameter(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->spot_diameter, name, value, 1, 1000000000, why);
+  return take_int(&o->plan.aggregation.spot_diameter, name, value, 1, 1000000000, why);
 }
 
 static int take_spot_order(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->spot_order, name, value, "best", "nearest", why);
+  return take_word(&o->plan.aggregation.spot_order, name, value, "best", "nearest", why);
 }
 
 static int take_spot_likelihood(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->spot_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
+  return take_number(&o->plan.aggregation.spot_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
 }
 
 static int take_starts(options *o, const char *name, const char *value, fault *why) {
   int any = 0;
   if (take_word(&any, name, value, "mission", "any", why) != 0) return -1;
-  o->any_starts = any != 0;
+  o->plan.any_starts = any != 0;
   return 0;
 }
 
 static int take_cleared(options *o, const char *name, const char *value, fault *why) {
   int any = 0;
   if (take_word(&any, name, value, "none", "any", why) != 0) return -1;
-  o->any_cleared = any != 0;
+  o->plan.any_cleared = any != 0;
   return 0;
 }
 
 static int take_table_limit(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->table_limit, name, value, "of megabytes, from 0.001 to 1000", 1e-3, 1e3, why);
+  return take_number(&o->plan.table_limit, name, value, "of megabytes, from 0.001 to 1000", 1e-3, 1e3, why);
 }
 
 static int take_budget_entries(options *o, const char *name, const char *value, fault *why) {
@@ -236,7 +239,7 @@ static int take_budget_entries(options *o, const char *name, const char *value, 
 }
 
 static int take_gap(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->gap, name, value, "from 0 to 1 (0.01 is one per cent)", 0.0, 1.0, why);
+  return take_number(&o->plan.learner.gap, name, value, "from 0 to 1 (0.01 is one per cent)", 0.0, 1.0, why);
 }
 
 static int take_time_limit(options *o, const char *name, const char *value, fault *why) {
@@ -248,13 +251,13 @@ static int take_episodes(options *o, const char *name, const char *value, fault 
 }
 
 static int take_seed(options *o, const char *name, const char *value, fault *why) {
-  return take_count(&o->seed, name, value, 0, UINT64_MAX - 1, why);
+  return take_count(&o->plan.learner.seed, name, value, 0, UINT64_MAX - 1, why);
 }
 
 /* SEEKER:+STEPS or SEEKER:xFACTOR */
 static int take_late(options *o, const char *name, const char *value, fault *why) {
-  if (o->lates == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
-  option_late *late = &o->late[o->lates];
+  if (o->game.lates == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
+  simulation_late *late = &o->game.late[o->game.lates];
   char seeker[32];
   const char *colon = strchr(value, ':');
   if (colon == NULL || colon == value || (size_t)(colon - value) >= sizeof seeker ||
@@ -264,7 +267,7 @@ static int take_late(options *o, const char *name, const char *value, fault *why
   late->wait = 0;
   late->factor = 1.0;
   if (take_int(&late->seeker, name, seeker, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
-  o->lates++;
+  o->game.lates++;
   if (colon[1] == 'x')
     return take_number(&late->factor, name, colon + 2, "from 1 to 1000 after the x", 1.0, 1000.0, why);
   uint64_t wait;
@@ -275,8 +278,8 @@ static int take_late(options *o, const char *name, const char *value, fault *why
 
 /* SEEKER@STEP */
 static int take_lost(options *o, const char *name, const char *value, fault *why) {
-  if (o->losts == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
-  option_lost *lost = &o->lost[o->losts];
+  if (o->game.losts == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
+  simulation_lost *lost = &o->game.lost[o->game.losts];
   char seeker[32];
   uint64_t step;
   const char *at = strchr(value, '@');
@@ -286,18 +289,20 @@ static int take_lost(options *o, const char *name, const char *value, fault *why
   if (take_int(&lost->seeker, name, seeker, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
   if (take_count(&step, name, at + 1, 0, 4000000000u, why) != 0) return -1;
   lost->step = (uint32_t)step;
-  o->losts++;
+  o->game.losts++;
   return 0;
 }
 
 /* COLUMN,ROW */
 static int take_from(options *o, const char *name, const char *value, fault *why) {
   int taken = 0;
-  if (o->froms == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
-  const int fields = sscanf(value, "%6d,%6d%n", &o->from[o->froms].column, &o->from[o->froms].row, &taken);
-  if (fields != 2 || value[taken] != '\0' || o->from[o->froms].column < 0 || o->from[o->froms].row < 0)
+  if (o->game.froms == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
+  const int fields =
+      sscanf(value, "%6d,%6d%n", &o->game.from[o->game.froms].column, &o->game.from[o->game.froms].row, &taken);
+  if (fields != 2 || value[taken] != '\0' || o->game.from[o->game.froms].column < 0 ||
+      o->game.from[o->game.froms].row < 0)
     return fault_set(why, "--%s %s: say COLUMN,ROW, counted from 0 at the top left", name, value);
-  o->froms++;
+  o->game.froms++;
   return 0;
 }
 
@@ -308,20 +313,20 @@ static int take_clear(options *o, const char *name, const char *value, fault *wh
     int place;
     snprintf(word, sizeof word, "%.*s", (int)strcspn(at, ","), at);
     if (take_int(&place, name, word, 0, QTR_MAX_PLACES - 1, why) != 0) return -1;
-    qtr_places_add(&o->clear, (unsigned)place);
+    qtr_places_add(&o->game.clear, (unsigned)place);
   }
   return 0;
 }
 
 static int take_target(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->target, name, value, 0, QTR_MAX_PLACES - 1, why);
+  return take_int(&o->game.target, name, value, 0, QTR_MAX_PLACES - 1, why);
 }
 
 static int take_clear_all(options *o, const char *name, const char *value, fault *why) {
   (void)name;
   (void)value;
   (void)why;
-  o->clear_all = true;
+  o->game.clear_all = true;
   return 0;
 }
 
@@ -447,19 +452,9 @@ static const option_row *find_row(int code) {
 
 static void set_defaults(options *o) {
   memset(o, 0, sizeof *o);
-  o->objective = OPTIONS_UNSET;
-  o->rule = OPTIONS_UNSET;
-  o->target = OPTIONS_UNSET;
-  o->gap = 1e-5;
-  o->region_size = 25;
-  o->region_diameter = 15;
-  o->spot_size = 5;
-  o->spot_diameter = 25;
-  o->table_limit = 4.0;
+  plan_config_default(&o->plan);
+  simulation_config_default(&o->game);
   o->detection = 1.0;
-  o->alpha = 1.0;
-  qtr_exploration_default(&o->exploration);
-  o->seed = 1;
 }
 
 static int check_input(options *o, const option_set *set, int argc, char **argv, fault *why) {

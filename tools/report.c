@@ -69,7 +69,7 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "q_entries", r->q_entries);
   json_natural(&j, "q_bytes", r->q_bytes);
   json_number(&j, "seconds", r->seconds);
-  json_natural(&j, "seed", r->o->seed);
+  json_natural(&j, "seed", r->o->plan.learner.seed);
   json_natural(&j, "table_bytes", r->table_bytes);
   json_natural(&j, "table_records", r->table_records);
   report_json_routes(&j, r->route, mission->seekers);

@@ -14,22 +14,17 @@
 #include "quarter/status.h"
 
 static study *learnt;
-static options asked;
+static plan_config asked;
 
 /* ---- learning ---- */
 
 int plan_read(const char *mission, int robots, fault *why) {
-  static const option_set none = {"demo", " "};
-  char name[] = "demo";
-  char input[4096];
-  snprintf(input, sizeof input, "%s", mission);
-  char *words[] = {name, input, NULL};
-  if (options_parse(&asked, &none, 2, words, why) != 0) return -1;
-  asked.robots = robots;
-  asked.input = mission;
+  plan_config_default(&asked);
+  asked.reading.robots = robots;
   free(learnt);
   learnt = memory_take(sizeof *learnt, why);
-  return learnt != NULL ? study_read(learnt, &asked, why) : -1;
+  if (learnt == NULL || problem_load(&learnt->p, mission, &asked, why) != 0) return -1;
+  return problem_measure(&learnt->p, &asked, why);
 }
 
 static void learn(double seconds) {
@@ -38,17 +33,18 @@ static void learn(double seconds) {
     continue;
 }
 
-static int not_learnt(const options *o, int status, fault *why) {
-  if (!stop_asked()) return fault_set(why, "%s: no policy table can be made: %s", o->input, qtr_strerror(status));
-  fault_set(why, "%s: ended (%s) while it was learnt; nothing was written", o->input, stop_reason());
+static int not_learnt(int status, fault *why) {
+  if (!stop_asked())
+    return fault_set(why, "%s: no policy table can be made: %s", learnt->p.in.path, qtr_strerror(status));
+  fault_set(why, "%s: ended (%s) while it was learnt; nothing was written", learnt->p.in.path, stop_reason());
   why->status = EXIT_STOPPED;
   return -1;
 }
 
-static int learn_table(table *t, const options *o, double seconds, fault *why) {
-  if (study_begin(learnt, o, why) != 0) return -1;
+static int learn_table(table *t, double seconds, fault *why) {
+  if (study_begin(learnt, &asked, why) != 0) return -1;
   learn(seconds);
-  if (stop_asked()) return not_learnt(o, QTR_ERR_STOPPED, why);
+  if (stop_asked()) return not_learnt(QTR_ERR_STOPPED, why);
   const uint32_t size = qtr_export_size(&learnt->learner);
   t->bytes.data = malloc(size);
   t->bytes.size = size;
@@ -56,7 +52,7 @@ static int learn_table(table *t, const options *o, double seconds, fault *why) {
   if (status > 0) status = qtr_policy_open(&t->policy, t->bytes.data, size);
   if (status == QTR_OK) return 0;
   free(t->bytes.data);
-  return not_learnt(o, status, why);
+  return not_learnt(status, why);
 }
 
 /* ---- a table from elsewhere ---- */
@@ -90,13 +86,13 @@ static const char *difference(const table *t, const qtr_mission *mission) {
   return same_likelihoods(t, mission) ? NULL : "its likelihoods are others";
 }
 
-static int read_table(table *t, const char *path, const options *o, fault *why) {
+static int read_table(table *t, const char *path, fault *why) {
   if (table_read(t, path, why) != 0) return -1;
   const char *other = difference(t, &learnt->p.in.mission);
   if (other == NULL) return 0;
   table_free(t);
-  return fault_set(why, "%s: this table is not of %s: %s; learn it again with 'quarter learn %s -o %s'", path, o->input,
-                   other, o->input, path);
+  return fault_set(why, "%s: this table is not of %s: %s; learn it again with 'quarter learn %s -o %s'", path,
+                   learnt->p.in.path, other, learnt->p.in.path, path);
 }
 
 /* ---- what it says ---- */
@@ -128,16 +124,16 @@ static int save_table(const table *t, const char *path, fault *why) {
   return outfile_commit(&out, why);
 }
 
-static void name_mission(plan *p, const char *mission) {
+static void name_mission(plan *p) {
+  const char *mission = learnt->p.in.path;
   const char *slash = strrchr(mission, '/');
   const char *name = learnt->p.in.name[0] != '\0' ? learnt->p.in.name : slash != NULL ? slash + 1 : mission;
-  snprintf(p->name, sizeof p->name, "%s", name);
+  snprintf(p->name, sizeof p->name, "%.*s", (int)sizeof p->name - 1, name);
 }
 
 int plan_make(plan *p, const char *table_path, double seconds, const char *save, fault *why) {
-  name_mission(p, asked.input);
-  const int status =
-      table_path != NULL ? read_table(&p->t, table_path, &asked, why) : learn_table(&p->t, &asked, seconds, why);
+  name_mission(p);
+  const int status = table_path != NULL ? read_table(&p->t, table_path, why) : learn_table(&p->t, seconds, why);
   if (status != 0) return -1;
   survey(p);
   if (save_table(&p->t, save, why) == 0) return 0;

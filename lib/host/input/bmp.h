@@ -4,7 +4,7 @@
 
 #include "host/input/image.h"
 
-/* As image_read(). A build without stb_image says so. */
+/* As decode_image(). A build without stb_image says so. */
 int bmp_read(image *it, const char *path, const file_bytes *bytes, enum image_alpha how, fault *why);
 
 bool bmp_looks_like_one(const file_bytes *bytes);

@@ -38,6 +38,17 @@ input_position frame_centre(const input *in, qtr_cell cell, bool metres) {
   return metres_of(&in->frame, (frame_point){column + 0.5, in->mission.rows - row - 0.5});
 }
 
+static int64_t micrometres(double metres) {
+  return (int64_t)llround(metres * 1e6);
+}
+
+void frame_in_um(const input_frame *frame, qtr_frame *out) {
+  if (!frame->metric || frame->yaw != 0.0) return;
+  out->cell_size_um = (uint32_t)micrometres(frame->cell_size);
+  out->origin_x_um = micrometres(frame->origin_x);
+  out->origin_y_um = micrometres(frame->origin_y);
+}
+
 void frame_name(char *out, size_t size, input_position position) {
   snprintf(out, size, position.metres ? "x %.6g, y %.6g" : "column %.6g, row %.6g", position.x, position.y);
 }

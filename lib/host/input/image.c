@@ -1,18 +1,6 @@
 #include "host/input/image.h"
 
 #include <stdlib.h>
-#include <string.h>
-
-#include "host/input/bmp.h"
-#include "host/input/pgm.h"
-#include "host/input/png.h"
-
-int image_read(image *it, const char *path, const file_bytes *bytes, enum image_alpha how, fault *why) {
-  memset(it, 0, sizeof *it);
-  if (png_looks_like_one(bytes)) return png_read(it, path, bytes, how, why);
-  if (bmp_looks_like_one(bytes)) return bmp_read(it, path, bytes, how, why);
-  return pgm_read(it, path, bytes, why);
-}
 
 void image_free(image *it) {
   free(it->samples);
@@ -27,20 +15,6 @@ int image_grey(const image *it, int level) {
   /* The average of 16-bit channels is rounded as below. */
   if (it->averaged && it->maximum == UINT16_MAX) return (int)((scaled + most / 2) / most);
   return scaled % most == 0 ? (int)(scaled / most) : -1;
-}
-
-const char *image_name(const file_bytes *bytes) {
-  if (png_looks_like_one(bytes)) return "a PNG image";
-  if (bmp_looks_like_one(bytes)) return "a BMP image";
-  return pgm_looks_like_image(bytes) ? "a PGM image" : "an image";
-}
-
-bool image_looks_like_one(const file_bytes *bytes) {
-  const unsigned char *data = bytes->data;
-  if (pgm_looks_like_image(bytes) || png_looks_like_one(bytes) || bmp_looks_like_one(bytes)) return true;
-  if (bytes->size < 3) return false;
-  return memcmp(data, "\xff\xd8\xff", 3) == 0 || memcmp(data, "GIF", 3) == 0 || memcmp(data, "II*", 3) == 0 ||
-         memcmp(data, "MM\0", 3) == 0;
 }
 
 int image_check_size(const char *path, double width, double height, fault *why) {

@@ -24,20 +24,10 @@ typedef struct {
   bool averaged;        /* alpha is in the samples */
 } image;
 
-/* Decode `bytes`, whatever format they are in; `path` is for faults. 0, or -1 with *fault set and nothing to free. What a
- * header promises is checked against the size of the file and the limits above before anything is allocated for it. */
-int image_read(image *it, const char *path, const file_bytes *bytes, enum image_alpha how, fault *why);
-
 void image_free(image *it);
 
 /* The sample of an opaque grey of `level` of 255; -1 if none is exactly that. */
 int image_grey(const image *it, int level);
-
-/* Whether it starts as an image of any kind does, ours or not. */
-bool image_looks_like_one(const file_bytes *bytes);
-
-/* "a PNG image", for a message. */
-const char *image_name(const file_bytes *bytes);
 
 /* ---- for the decoders ---- */
 

@@ -1,15 +1,5 @@
-/* A mission read from a file: a drawing, or a mission YAML and the map that it names (a drawing, a Moving AI map, or a
- * ROS map_server YAML with its image).
- *
- * Where the sources leave a choice open:
- * - What a file is, its contents say; its name's extension decides only where they do not.
- * - In a mission whose map is a drawing, the mission's `robots` replace the drawing's S, and its `places` or
- *   `places_csv` the drawing's digits; those marks are plain free cells then.
- * - One start is shared by all robots of input_options.robots; several starts are one seeker each.
- * - A map without metres has cells of 1 m with the origin at its lower-left corner, so that {x, y} works there too.
- * - A point on the line between two cells belongs to the right or upper one.
- * - Places keep the numbers that they have in the input, whichever are left out.
- */
+/* What an input says, as its readers fill it in: a mission, where its map lies, and where each start and place is stated.
+ * Where the sources leave a choice open, read.h says what is made of it. */
 #ifndef QUARTER_HOST_INPUT_H
 #define QUARTER_HOST_INPUT_H
 
@@ -74,18 +64,14 @@ typedef struct {
   bool skip;        /* leave out places that are on no free cell */
 } input_options;
 
-/* Read `path` and everything it names. 0, or -1 with *fault set. `input` is large: keep it in static storage. Whether
- * the starts reach the places is not looked at. */
-int input_read(input *in, const char *path, const input_options *options, fault *why);
+/* The path of the file in which a start or place is stated. */
+const char *input_source_path(const input *in, input_origin origin);
 
 /* Note how a table numbers the places, if some were left out: it knows only those that are there. */
 void input_note_numbers(input *in);
 
 /* Let place `from` stand in the place of `to`, number and all: where places are left out. */
 void input_keep_place(input *in, int to, int from);
-
-/* The middle of a cell in the map frame, in metres. */
-void input_cell_centre(const input *in, qtr_cell cell, double *x, double *y);
 
 /* "place 3 (mission.yaml:17)" and "seeker 0 (area.txt:4:7)", for messages about a place or a seeker's start; the number is
  * the input's. */

@@ -5,9 +5,9 @@
 #include <strings.h>
 
 #include "host/base/text.h"
+#include "host/input/decode.h"
 #include "host/input/drawing.h"
 #include "host/input/foreign.h"
-#include "host/input/image.h"
 #include "host/input/movingai.h"
 
 static bool has_extension(const char *path, const char *extension) {
@@ -47,7 +47,7 @@ enum kind kind_of(const char *path, const file_bytes *bytes) {
     enum kind kind;
   } by_name[] = {{".yaml", KIND_YAML}, {".yml", KIND_YAML},  {".map", KIND_MOVINGAI},
                  {".pgm", KIND_IMAGE}, {".png", KIND_IMAGE}, {".bmp", KIND_IMAGE}};
-  if (image_looks_like_one(bytes)) return KIND_IMAGE;
+  if (decode_is_image(bytes)) return KIND_IMAGE;
   if (movingai_looks_like_one(bytes)) return KIND_MOVINGAI;
   if (drawing_looks_like_one(bytes)) return KIND_DRAWING;
   if (foreign_what(bytes) != NULL) return KIND_FOREIGN;

@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "host/input/csv.h"
+#include "host/input/decode.h"
 #include "host/input/drawing.h"
 #include "host/input/foreign.h"
-#include "host/input/image.h"
 #include "host/input/kind.h"
 #include "host/input/movingai.h"
 #include "host/input/rosmap.h"
@@ -121,7 +121,7 @@ static int read_map_bytes(input *in, tree *yaml, tree_node *root, const file_byt
   enum kind kind = kind_of(in->map, bytes);
   if (kind == KIND_IMAGE) {
     return tree_fault(yaml, node, "'map' names %s, which has no scale; name the map_server YAML that goes with it",
-                      image_name(bytes));
+                      decode_format_name(bytes));
   }
   if (kind == KIND_FOREIGN) return tree_fault(yaml, node, "'map' names %s", foreign_what(bytes));
   if (kind == KIND_YAML) return read_yaml_map(in, yaml, node, bytes, &wish);

@@ -4,7 +4,7 @@
 
 #include "host/input/image.h"
 
-/* As image_read(). */
+/* As decode_image(). */
 int pgm_read(image *it, const char *path, const file_bytes *bytes, fault *why);
 
 /* Whether it starts as a PGM or one of its siblings does. */

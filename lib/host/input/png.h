@@ -4,7 +4,7 @@
 
 #include "host/input/image.h"
 
-/* As image_read(). A build without libspng says so. */
+/* As decode_image(). A build without libspng says so. */
 int png_read(image *it, const char *path, const file_bytes *bytes, enum image_alpha how, fault *why);
 
 bool png_looks_like_one(const file_bytes *bytes);

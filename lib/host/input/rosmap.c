@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "host/base/count.h"
-#include "host/input/image.h"
+#include "host/input/decode.h"
 #include "host/input/pixels.h"
 #include "host/input/sites.h"
 
@@ -276,7 +276,7 @@ int rosmap_read(input *in, const file_bytes *bytes, const rosmap_wish *wish, fau
   snprintf(named_by, sizeof named_by, "%s:%d", in->map, header.image_line);
   if (file_read(&image_bytes, header.image, FILE_MAP_LIMIT, named_by, why)) return -1;
   static const enum image_alpha alpha_of[] = {IMAGE_ALPHA_AVERAGED, IMAGE_ALPHA_MARKED, IMAGE_ALPHA_IGNORED};
-  int result = image_read(&picture, header.image, &image_bytes, alpha_of[header.mode], why);
+  int result = decode_image(&picture, header.image, &image_bytes, alpha_of[header.mode], why);
   file_free(&image_bytes);
   if (result != 0) return -1;
   result = plan_cells(in, &picture, &header, wish, why);

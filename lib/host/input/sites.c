@@ -10,21 +10,13 @@
 #include "host/input/frame.h"
 #include "host/input/snap.h"
 
-const char *sites_path(const input *in, input_origin origin) {
-  switch (origin.source) {
-  case INPUT_FROM_MAP: return in->map;
-  case INPUT_FROM_CSV: return in->csv;
-  default: return in->path;
-  }
-}
-
 static int site_fault(const input *in, input_origin origin, fault *why, const char *what) {
-  return file_fault(why, sites_path(in, origin), origin.line, origin.column, "%s", what);
+  return file_fault(why, input_source_path(in, origin), origin.line, origin.column, "%s", what);
 }
 
 static int check_whole(const input *in, input_position position, input_origin origin, fault *why) {
   if (position.metres || (position.x == floor(position.x) && position.y == floor(position.y))) return 0;
-  return file_fault(why, sites_path(in, origin), origin.line, origin.column,
+  return file_fault(why, input_source_path(in, origin), origin.line, origin.column,
                     "column %g, row %g is not a cell; give whole numbers", position.x, position.y);
 }
 

@@ -4,9 +4,6 @@
 
 #include "host/input/input.h"
 
-/* The path that an origin's source stands for. */
-const char *sites_path(const input *in, input_origin origin);
-
 /* A start or place in the map as read so far; on an obstacle or outside it is taken too, for sites_finish to judge. -1
  * with *fault set: more than the build holds, not a whole number of cells, or a weight that is not above 0. */
 int sites_add_start(input *in, input_position position, input_origin origin, fault *why);

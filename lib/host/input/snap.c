@@ -9,7 +9,6 @@
 #include "host/base/count.h"
 #include "host/base/file.h"
 #include "host/input/frame.h"
-#include "host/input/sites.h"
 
 #define TEXT 400
 
@@ -159,7 +158,7 @@ static void name_nearest(char *out, size_t size, const input *in, const site *it
 }
 
 static int complain(work *w, const site *it, const char *text) {
-  const char *path = sites_path(w->in, it->origin);
+  const char *path = input_source_path(w->in, it->origin);
   fault line;
   file_fault(&line, path, it->origin.line, it->origin.column, "%s", text);
   return fault_add(w->why, "%s", line.text);
@@ -182,8 +181,8 @@ static void complain_of(work *w, const site *it) {
 static void note_site(work *w, const site *it, const char *what) {
   char trouble[TEXT];
   name_trouble(trouble, sizeof trouble, w->in, it);
-  notes_add(&w->in->note, "%s:%d: %s; %s", file_short_path(sites_path(w->in, it->origin)), it->origin.line, trouble,
-            what);
+  notes_add(&w->in->note, "%s:%d: %s; %s", file_short_path(input_source_path(w->in, it->origin)), it->origin.line,
+            trouble, what);
 }
 
 /* ---- what is done ---- */

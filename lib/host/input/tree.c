@@ -2,12 +2,17 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <yaml.h>
 
 #include "host/base/near.h"
 #include "host/base/text.h"
-#include "host/input/shape.h"
+
+#define MOST_NESTED 32
+#define MOST_NAMES 256 /* anchors and aliases */
+#define MOST_DIRECTIVES 8
 
 int tree_line(tree_node *node) {
   return (int)node->start_mark.line + 1;
@@ -68,40 +73,122 @@ static int check_root(tree *yaml) {
                     root->type == YAML_SEQUENCE_NODE ? "list" : "single value");
 }
 
+/* ---- what libyaml would take minutes for ---- */
+
+typedef struct {
+  int depth, names;
+} shape;
+
+static void count_event(shape *so_far, const yaml_event_t *event) {
+  switch (event->type) {
+  case YAML_ALIAS_EVENT: so_far->names++; break;
+  case YAML_SCALAR_EVENT: so_far->names += event->data.scalar.anchor != NULL; break;
+  case YAML_SEQUENCE_START_EVENT:
+    so_far->names += event->data.sequence_start.anchor != NULL;
+    so_far->depth++;
+    break;
+  case YAML_MAPPING_START_EVENT:
+    so_far->names += event->data.mapping_start.anchor != NULL;
+    so_far->depth++;
+    break;
+  case YAML_SEQUENCE_END_EVENT:
+  case YAML_MAPPING_END_EVENT: so_far->depth--; break;
+  default: break;
+  }
+}
+
+/* Directives are all read before the first event comes. */
+static int check_directives(const char *path, const file_bytes *bytes, fault *why) {
+  text_lines lines;
+  int directives = 0;
+  text_start(&lines, bytes);
+  while (text_next(&lines)) {
+    directives += lines.length > 0 && lines.line[0] == '%';
+    if (directives > MOST_DIRECTIVES) {
+      return file_fault(why, path, lines.number, 0, "more than %d directives (lines that start with %%); delete them",
+                        MOST_DIRECTIVES);
+    }
+  }
+  return 0;
+}
+
+static int check_event(const char *path, const shape *so_far, const yaml_event_t *event, fault *why) {
+  long line = (long)event->start_mark.line + 1;
+  if (so_far->depth > MOST_NESTED) {
+    return file_fault(why, path, line, 0, "lists or mappings nested more than %d deep; check the brackets",
+                      MOST_NESTED);
+  }
+  if (so_far->names > MOST_NAMES) {
+    return file_fault(why, path, line, 0, "more than %d anchors and aliases; write the values out", MOST_NAMES);
+  }
+  return 0;
+}
+
+/* libyaml's time is quadratic in nesting, directives, anchors and aliases: a few hundred kilobytes of brackets would hang
+ * the tool, and no map or mission has many. Text that is not valid YAML is let through, for the parser to report. */
+static int check_shape(const char *path, const file_bytes *bytes, fault *why) {
+  yaml_parser_t parser;
+  shape so_far = {0, 0};
+  int result = 0;
+  bool more = true;
+  if (check_directives(path, bytes, why)) return -1;
+  if (!yaml_parser_initialize(&parser)) return file_fault(why, path, 0, 0, "no memory to parse it");
+  yaml_parser_set_input_string(&parser, bytes->data, bytes->size);
+  while (more && result == 0) {
+    yaml_event_t event;
+    if (!yaml_parser_parse(&parser, &event)) break;
+    count_event(&so_far, &event);
+    result = check_event(path, &so_far, &event, why);
+    more = event.type != YAML_STREAM_END_EVENT;
+    yaml_event_delete(&event);
+  }
+  yaml_parser_delete(&parser);
+  return result;
+}
+
+/* ---- reading ---- */
+
+/* Parse what has been looked at. */
+static int load(tree *yaml, yaml_parser_t *parser, const file_bytes *bytes) {
+  yaml_parser_set_input_string(parser, bytes->data, bytes->size);
+  if (!yaml_parser_load(parser, yaml->document)) return syntax_fault(yaml, parser, bytes);
+  int result = check_root(yaml);
+  if (result == 0) result = check_single(yaml, parser, bytes);
+  if (result != 0) yaml_document_delete(yaml->document);
+  return result;
+}
+
 int tree_read(tree *yaml, const char *path, const file_bytes *bytes, fault *why) {
   yaml_parser_t parser;
-  yaml->path = path;
-  yaml->why = why;
+  *yaml = (tree){path, why, NULL};
   if (bytes->size > FILE_TEXT_LIMIT) {
     return file_fault(why, path, 0, 0,
                       "holds more than the %zu MiB that a YAML may have; check that it is the right one",
                       FILE_TEXT_LIMIT >> 20);
   }
-  if (shape_check(path, bytes, why)) return -1;
-  if (!yaml_parser_initialize(&parser)) return file_fault(why, path, 0, 0, "no memory to parse it");
-  yaml_parser_set_input_string(&parser, bytes->data, bytes->size);
-  if (!yaml_parser_load(&parser, &yaml->document)) {
-    syntax_fault(yaml, &parser, bytes);
-    yaml_parser_delete(&parser);
-    return -1;
+  if (check_shape(path, bytes, why)) return -1;
+  yaml->document = malloc(sizeof *yaml->document);
+  if (yaml->document == NULL || !yaml_parser_initialize(&parser)) {
+    free(yaml->document);
+    return file_fault(why, path, 0, 0, "no memory to parse it");
   }
-  int result = check_root(yaml);
-  if (result == 0) result = check_single(yaml, &parser, bytes);
-  if (result != 0) yaml_document_delete(&yaml->document);
+  const int result = load(yaml, &parser, bytes);
+  if (result != 0) free(yaml->document);
   yaml_parser_delete(&parser);
   return result;
 }
 
 void tree_free(tree *yaml) {
-  yaml_document_delete(&yaml->document);
+  yaml_document_delete(yaml->document);
+  free(yaml->document);
 }
 
 tree_node *tree_root(tree *yaml) {
-  return yaml_document_get_root_node(&yaml->document);
+  return yaml_document_get_root_node(yaml->document);
 }
 
 static tree_node *node_at(tree *yaml, int index) {
-  return yaml_document_get_node(&yaml->document, index);
+  return yaml_document_get_node(yaml->document, index);
 }
 
 /* A scalar's text; NULL for another node or one with a NUL inside. */

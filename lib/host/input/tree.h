@@ -1,23 +1,22 @@
-/* A YAML document as a tree, with the line of every node and faults that name it. Nodes are
- * libyaml's own; who goes through a document calls the functions here and none of libyaml's. */
+/* A YAML document as a tree, with the line of every node and faults that name it. libyaml is behind it, and only there. */
 #ifndef QUARTER_HOST_TREE_H
 #define QUARTER_HOST_TREE_H
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <yaml.h>
 
 #include "host/base/file.h"
 
 typedef struct {
   const char *path; /* for faults; must outlive the tree */
   fault *why;       /* where they go */
-  yaml_document_t document;
+  struct yaml_document_s *document;
 } tree;
 
-typedef const yaml_node_t tree_node;
+typedef const struct yaml_node_s tree_node;
 
-/* Parse bytes that hold exactly one document, whose root is a mapping. 0, or -1 with *fault set and nothing to free. */
+/* Parse bytes that hold exactly one document, whose root is a mapping, and that libyaml would not take minutes for. 0, or
+ * -1 with *fault set and nothing to free. */
 int tree_read(tree *yaml, const char *path, const file_bytes *bytes, fault *why);
 void tree_free(tree *yaml);
 

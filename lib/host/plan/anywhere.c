@@ -16,7 +16,7 @@
 /* The whole table under work. */
 typedef struct {
   study *s;
-  const options *o;
+  const plan_config *config;
   qtr_board board;  /* its starts are the regions, if they are asked for, and then the mission's own */
   uint16_t regions; /* starts that crews are drawn from; 0: the mission's own alone */
   uint8_t *steps;   /* the board's */
@@ -41,18 +41,19 @@ static double count_crews(const builder *b) {
 }
 
 static double count_games(const builder *b) {
-  return count_crews(b) * (b->o->any_cleared ? ldexp(1.0, b->board.places) - 1.0 : 1.0);
+  return count_crews(b) * (b->config->any_cleared ? ldexp(1.0, b->board.places) - 1.0 : 1.0);
 }
 
 static int check_size(const builder *b, fault *why) {
-  const double states = count_games(b) * (b->board.places * (b->o->any_cleared ? 0.5 : 1.0) + b->board.seekers - 1);
+  const double states =
+      count_games(b) * (b->board.places * (b->config->any_cleared ? 0.5 : 1.0) + b->board.seekers - 1);
   const double bytes = states * qtr_record_bytes(&b->board);
-  if (bytes <= b->o->table_limit * 1e6) return 0;
+  if (bytes <= b->config->table_limit * 1e6) return 0;
   return fault_set(
       why, "%s: the table would take about %.3g MB for %.3g games, and --table-limit allows %.3g MB; allow more, or %s",
-      b->o->input, bytes / 1e6, count_games(b), b->o->table_limit,
-      b->o->any_starts ? "make the regions larger with --region-size and --region-diameter"
-                       : "list fewer places: with --cleared any each doubles the games");
+      b->s->p.in.path, bytes / 1e6, count_games(b), b->config->table_limit,
+      b->config->any_starts ? "make the regions larger with --region-size and --region-diameter"
+                            : "list fewer places: with --cleared any each doubles the games");
 }
 
 /* ---- the board of all starts ---- */
@@ -79,19 +80,19 @@ static bool measure(builder *b) {
 
 static int stopped(const builder *b, fault *why) {
   fault_set(why, "%s: ended (%s) after %.3g s, before the table for all starts was begun; nothing was written",
-            b->o->input, stop_reason(), stop_seconds());
+            b->s->p.in.path, stop_reason(), stop_seconds());
   why->status = EXIT_STOPPED;
   return -1;
 }
 
 static int divide(builder *b, fault *why) {
-  const int status = study_divide(b->s, b->o, why);
+  const int status = study_divide(b->s, &b->config->aggregation, why);
   if (status != QTR_OK) return status == QTR_ERR_STOPPED ? stopped(b, why) : -1;
   if (b->s->regions.count + b->s->p.game.board.starts > QTR_MAX_STARTS)
     return fault_set(why,
                      "%s: %" PRIu32 " regions are too many for a table; make them larger with --region-size and "
                      "--region-diameter",
-                     b->o->input, b->s->regions.count);
+                     b->s->p.in.path, b->s->regions.count);
   b->regions = (uint16_t)b->s->regions.count;
   return 0;
 }
@@ -104,7 +105,7 @@ static int allocate(builder *b, fault *why) {
   b->steps = malloc(4u * ((size_t)mission->places + b->board.starts) * mission->places);
   if (b->regions > 0) b->region = malloc(cells * sizeof *b->region);
   if (b->start != NULL && b->steps != NULL && (b->regions == 0 || b->region != NULL)) return 0;
-  return fault_set(why, "%s: no memory for a table of %d starts", b->o->input, b->board.starts);
+  return fault_set(why, "%s: no memory for a table of %d starts", b->s->p.in.path, b->board.starts);
 }
 
 static void set_starts(builder *b) {
@@ -122,12 +123,12 @@ static void set_starts(builder *b) {
 
 static int make_board(builder *b, fault *why) {
   b->board = b->s->p.game.board;
-  if ((b->o->any_starts && divide(b, why) != 0) || allocate(b, why) != 0) return -1;
+  if ((b->config->any_starts && divide(b, why) != 0) || allocate(b, why) != 0) return -1;
   set_starts(b);
   b->board.steps = b->steps;
   if (!measure(b)) return stopped(b, why);
   const int status = qtr_board_init(&b->board);
-  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", b->o->input, qtr_strerror(status));
+  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", b->s->p.in.path, qtr_strerror(status));
 }
 
 /* ---- one game: from these starts, with these places cleared ---- */
@@ -158,11 +159,11 @@ static int set_up_rest(void) {
 
 /* Learn it. False: some place is out of everybody's reach, or there was no time. */
 static bool learn_rest(const builder *b, fault *why) {
-  options o = *b->o;
-  o.by_regions = o.by_spots = false;
-  o.setting = QTR_SETTING_CERTIFIED;
+  plan_config config = *b->config;
+  config.aggregation.by_regions = config.aggregation.by_spots = false;
+  config.learner.setting = QTR_SETTING_CERTIFIED;
   if (set_up_rest() != QTR_OK) return false;
-  if (study_begin(alone, &o, why) != 0) return false;
+  if (study_begin(alone, &config, why) != 0) return false;
   for (int steps = 0; steps < 2000 && qtr_learner_step(&alone->learner) == QTR_LEARNING; steps++) {}
   return !stop_asked();
 }
@@ -172,7 +173,7 @@ static int add_record(builder *b, const qtr_joint *joint, uint16_t choice, fault
   if (b->count == b->room) {
     const uint64_t room = b->room > 0 ? 2 * b->room : 1024;
     uint8_t *more = realloc(b->records, room * size);
-    if (more == NULL) return fault_set(why, "%s: no memory for the table", b->o->input);
+    if (more == NULL) return fault_set(why, "%s: no memory for the table", b->s->p.in.path);
     b->records = more;
     b->room = room;
   }
@@ -233,7 +234,7 @@ static int add_own_game(builder *b, fault *why) {
 /* ---- all games ---- */
 
 static int add_cleared(builder *b, const uint16_t *start_of, uint64_t first, fault *why) {
-  const uint64_t sets = b->o->any_cleared ? ((uint64_t)1 << b->board.places) - 1 : 1;
+  const uint64_t sets = b->config->any_cleared ? ((uint64_t)1 << b->board.places) - 1 : 1;
   for (uint64_t cleared = first; cleared < sets && !stop_asked(); cleared++)
     if (add_game(b, start_of, cleared, why) != 0) return -1;
   return 0;
@@ -259,9 +260,9 @@ static int add_all(builder *b, fault *why) {
   if (b->region == NULL) return 0;
   do {
     if (add_cleared(b, start_of, 0, why) != 0) return -1;
-    if (progress_wanted(b->o->quiet)) fprintf(stderr, "\r\033[Kstarts: %.0f of %.0f", ++done, games);
+    if (progress_wanted(b->config->quiet)) fprintf(stderr, "\r\033[Kstarts: %.0f of %.0f", ++done, games);
   } while (!stop_asked() && next_crew(b, start_of));
-  if (progress_wanted(b->o->quiet)) fprintf(stderr, "\r\033[K");
+  if (progress_wanted(b->config->quiet)) fprintf(stderr, "\r\033[K");
   return 0;
 }
 
@@ -296,16 +297,16 @@ static void sort_records(builder *b) {
 static uint32_t write_table(builder *b, uint8_t **bytes, fault *why) {
   qtr_certificate certificate;
   qtr_learner_certificate(&b->s->learner, &certificate);
-  const qtr_table_content content = {&b->s->p.in.mission, &b->board,  b->s->p.game.probability, b->start,
-                                     b->region,           b->records, (uint32_t)b->count,       &certificate,
-                                     b->o->seed};
+  const qtr_table_content content = {
+      &b->s->p.in.mission, &b->board,    b->s->p.game.probability, b->start, b->region, b->records,
+      (uint32_t)b->count,  &certificate, b->config->learner.seed};
   const uint32_t size = qtr_table_size(&content);
   *bytes = malloc(size);
   const int32_t written = *bytes != NULL ? qtr_table_write(&content, *bytes, size) : QTR_ERR_SPACE;
   if (written > 0) return (uint32_t)written;
   free(*bytes);
   *bytes = NULL;
-  fault_set(why, "%s: the table cannot be written: %s", b->o->input, qtr_strerror(written));
+  fault_set(why, "%s: the table cannot be written: %s", b->s->p.in.path, qtr_strerror(written));
   return 0;
 }
 
@@ -352,7 +353,7 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
   uint16_t number[QTR_MAX_PLACES];
   table t;
   if (qtr_policy_open(&t.policy, bytes, size) != QTR_OK) return;
-  draws = b->o->seed;
+  draws = b->config->learner.seed;
   for (int tries = 0; !stop_asked() && report->trials < ANYWHERE_TRIALS && tries < 100 * ANYWHERE_TRIALS; tries++) {
     qtr_cell starts[QTR_MAX_SEEKERS];
     for (unsigned i = 0; i < mission->seekers; i++) do
@@ -370,8 +371,8 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
   report->worst_loss = losses[report->trials - 1];
 }
 
-uint32_t anywhere_learn(study *s, const options *o, uint8_t **bytes, anywhere_report *report, fault *why) {
-  builder b = {.s = s, .o = o};
+uint32_t anywhere_learn(study *s, const plan_config *config, uint8_t **bytes, anywhere_report *report, fault *why) {
+  builder b = {.s = s, .config = config};
   uint32_t size = 0;
   bool complete = false;
   *report = (anywhere_report){0};

@@ -6,27 +6,16 @@
 #include <string.h>
 
 #include "host/base/stop.h"
-#include "products.h"
+#include "host/input/frame.h"
+#include "host/input/read.h"
 #include "quarter/status.h"
 
 #define NAMES_SIZE 700
 
-static int64_t micrometres(double metres) {
-  return (int64_t)llround(metres * 1e6);
-}
-
-/* So that a robot can tell cells from its own pose. */
-static void set_frame(qtr_mission *mission, const input_frame *frame) {
-  if (!frame->metric || frame->yaw != 0.0) return;
-  mission->frame.cell_size_um = (uint32_t)micrometres(frame->cell_size);
-  mission->frame.origin_x_um = micrometres(frame->origin_x);
-  mission->frame.origin_y_um = micrometres(frame->origin_y);
-}
-
-static void override(qtr_mission *mission, const options *o) {
-  if (o->objective != OPTIONS_UNSET) mission->objective = (uint8_t)o->objective;
-  if (o->rule != OPTIONS_UNSET) mission->rule = (uint8_t)o->rule;
-  if (o->gamma > 0.0) mission->gamma = o->gamma;
+static void override(qtr_mission *mission, const plan_config *config) {
+  if (config->objective != PLAN_AS_STATED) mission->objective = (uint8_t)config->objective;
+  if (config->rule != PLAN_AS_STATED) mission->rule = (uint8_t)config->rule;
+  if (config->gamma > 0.0) mission->gamma = config->gamma;
 }
 
 /* "place 3 (file:line), place 5 (file:line), ...", cut off when the room is used up. */
@@ -55,16 +44,16 @@ static void drop_unreachable(problem *p) {
   mission->places = kept;
 }
 
-static int handle_unreachable(problem *p, const options *o, fault *why) {
+static int handle_unreachable(problem *p, const plan_config *config, fault *why) {
   char names[NAMES_SIZE];
   name_unreachable(p, names);
-  if (!o->skip_unreachable)
+  if (!config->reading.skip)
     return fault_set(why, "%s: no seeker can reach %s; move or remove them, or leave them out with --skip-unreachable",
-                     o->input, names);
+                     p->in.path, names);
   drop_unreachable(p);
   if (p->in.mission.places == 0)
-    return fault_set(why, "%s: no seeker can reach any place; move the starts or the places", o->input);
-  notes_add(&p->in.note, "%s: left out, for no seeker can reach them: %s", o->input, names);
+    return fault_set(why, "%s: no seeker can reach any place; move the starts or the places", p->in.path);
+  notes_add(&p->in.note, "%s: left out, for no seeker can reach them: %s", p->in.path, names);
   return 0;
 }
 
@@ -74,7 +63,7 @@ static double mild_gamma(qtr_steps steps) {
   return steps > 20 ? 1.0 - floor(10.0 / (double)steps / unit) * unit : 0.6;
 }
 
-static int fault_discount(const problem *p, int place, const options *o, fault *why) {
+static int fault_discount(const problem *p, int place, fault *why) {
   const qtr_board *board = &p->game.board;
   qtr_steps nearest = QTR_NEVER;
   char name[300];
@@ -86,39 +75,34 @@ static int fault_discount(const problem *p, int place, const options *o, fault *
   return fault_set(why,
                    "%s: gamma %g leaves nothing to tell plans apart by: even the nearest place, %s, is %" PRIu32
                    " steps away; take a gamma nearer 1, such as %g, or --objective time",
-                   o->input, p->in.mission.gamma, name, nearest, mild_gamma(nearest));
+                   p->in.path, p->in.mission.gamma, name, nearest, mild_gamma(nearest));
 }
 
-int problem_load(problem *p, const options *o, fault *why) {
-  const input_options reading = {o->cell_size, o->robots, o->snap, o->skip_unreachable};
-  if (input_read(&p->in, o->input, &reading, why) != 0) return -1;
-  override(&p->in.mission, o);
-  set_frame(&p->in.mission, &p->in.frame);
+int problem_load(problem *p, const char *path, const plan_config *config, fault *why) {
+  if (plan_config_check(config, why) != 0 || input_read(&p->in, path, &config->reading, why) != 0) return -1;
+  override(&p->in.mission, config);
+  frame_in_um(&p->in.frame, &p->in.mission.frame);
   p->in.mission.watch = stop_watch();
-  return products_check(o, why);
+  return 0;
 }
 
-int problem_measure(problem *p, const options *o, fault *why) {
+int problem_measure(problem *p, const plan_config *config, fault *why) {
   const double begin = stop_seconds();
   int culprit;
   int status = qtr_mission_check(&p->in.mission, &culprit);
   if (status == QTR_OK) status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
   if (status == QTR_ERR_UNREACHABLE) {
-    if (handle_unreachable(p, o, why) != 0) return -1;
+    if (handle_unreachable(p, config, why) != 0) return -1;
     status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
   }
   p->travel_seconds = stop_seconds() - begin;
   notes_print(&p->in.note, 0);
-  if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, o, why);
+  if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, why);
   /* All places take as long as those that were measured; what comes after them until the first plan takes no time. */
   if (status == QTR_ERR_STOPPED)
-    return stop_fault(why, o->input, "a first plan",
+    return stop_fault(why, p->in.path, "a first plan",
                       begin + p->travel_seconds * p->in.mission.places / p->game.measured);
-  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", o->input, qtr_strerror(status));
-}
-
-int problem_read(problem *p, const options *o, fault *why) {
-  return problem_load(p, o, why) == 0 ? problem_measure(p, o, why) : -1;
+  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", p->in.path, qtr_strerror(status));
 }
 
 uint32_t problem_free_cells(const problem *p) {

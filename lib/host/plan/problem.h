@@ -1,10 +1,10 @@
-/* An input made ready to learn on: read, overridden from the command line, its elemental tasks solved. */
+/* An input made ready to learn on: read, overridden where its settings say so, its elemental tasks solved. */
 #ifndef QUARTER_HOST_PROBLEM_H
 #define QUARTER_HOST_PROBLEM_H
 
 #include "host/base/fault.h"
 #include "host/input/input.h"
-#include "options.h"
+#include "host/plan/plan_config.h"
 #include "quarter/game.h"
 
 /* Large: keep it in static storage. */
@@ -15,13 +15,12 @@ typedef struct {
   double travel_seconds; /* that the elemental tasks took */
 } problem;
 
-/* Read the options' input and set its game up. Places that no seeker can reach are an error that names them, or are
- * left out under --skip-unreachable. The input's notes are printed. 0, or -1 with *why set. */
-int problem_read(problem *p, const options *o, fault *why);
+/* Read the input `path` and override it, all but the travel times. 0, or -1 with *why set. */
+int problem_load(problem *p, const char *path, const plan_config *config, fault *why);
 
-/* Its two halves: all but the travel times, with the outputs' names looked at; and those. */
-int problem_load(problem *p, const options *o, fault *why);
-int problem_measure(problem *p, const options *o, fault *why);
+/* Set its game up: the elemental tasks. Places that no seeker can reach are an error that names them, or are left out if
+ * the settings say so. The input's notes are printed. 0, or -1 with *why set. */
+int problem_measure(problem *p, const plan_config *config, fault *why);
 
 /* Free cells of the map. */
 uint32_t problem_free_cells(const problem *p);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "quarter/mission.h"
 
@@ -22,10 +23,15 @@ typedef struct {
   robot *robots;
   int count;
   const table *t;
-  const options *o;
+  const simulation_config *config;
   int finder;      /* the robot that found the target at this step and has not said so yet, or QTR_NOBODY */
   qtr_places seen; /* places visited by any robot: for the record alone, no robot reads it */
 } world;
+
+void simulation_config_default(simulation_config *config) {
+  memset(config, 0, sizeof *config);
+  config->target = SIMULATION_NO_TARGET;
+}
 
 /* ---- set-up ---- */
 
@@ -41,26 +47,26 @@ static int check_place(unsigned place, const char *name, const table *t, fault *
                    t->policy.board.places - 1);
 }
 
-static int check_options(const table *t, const options *o, fault *why) {
-  for (int i = 0; i < o->lates; i++)
-    if (check_seeker(o->late[i].seeker, "late", t, why) != 0) return -1;
-  for (int i = 0; i < o->losts; i++)
-    if (check_seeker(o->lost[i].seeker, "lost", t, why) != 0) return -1;
-  if (o->target != OPTIONS_UNSET && check_place((unsigned)o->target, "target", t, why) != 0) return -1;
+static int check_config(const table *t, const simulation_config *config, fault *why) {
+  for (int i = 0; i < config->lates; i++)
+    if (check_seeker(config->late[i].seeker, "late", t, why) != 0) return -1;
+  for (int i = 0; i < config->losts; i++)
+    if (check_seeker(config->lost[i].seeker, "lost", t, why) != 0) return -1;
+  if (config->target != SIMULATION_NO_TARGET && check_place((unsigned)config->target, "target", t, why) != 0) return -1;
   for (unsigned place = 0; place < QTR_MAX_PLACES; place++)
-    if (qtr_places_has(&o->clear, place) && check_place(place, "clear", t, why) != 0) return -1;
+    if (qtr_places_has(&config->clear, place) && check_place(place, "clear", t, why) != 0) return -1;
   return 0;
 }
 
 static void set_faults(world *w) {
-  for (int i = 0; i < w->o->lates; i++) {
-    robot *late = &w->robots[w->o->late[i].seeker];
-    late->ready += w->o->late[i].wait;
-    late->factor *= w->o->late[i].factor;
+  for (int i = 0; i < w->config->lates; i++) {
+    robot *late = &w->robots[w->config->late[i].seeker];
+    late->ready += w->config->late[i].wait;
+    late->factor *= w->config->late[i].factor;
   }
-  for (int i = 0; i < w->o->losts; i++) {
-    robot *lost = &w->robots[w->o->lost[i].seeker];
-    if (w->o->lost[i].step < lost->lost) lost->lost = w->o->lost[i].step;
+  for (int i = 0; i < w->config->losts; i++) {
+    robot *lost = &w->robots[w->config->lost[i].seeker];
+    if (w->config->lost[i].step < lost->lost) lost->lost = w->config->lost[i].step;
   }
 }
 
@@ -69,18 +75,18 @@ static void free_world(world *w) {
   free(w->robots);
 }
 
-static int make_world(world *w, const table *t, const options *o, fault *why) {
+static int make_world(world *w, const table *t, const simulation_config *config, fault *why) {
   const qtr_board *board = &t->policy.board;
-  *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, o, QTR_NOBODY, o->clear};
+  *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, config, QTR_NOBODY, config->clear};
   for (int i = 0; w->robots != NULL && i < w->count; i++) {
     robot *r = &w->robots[i];
     r->field = malloc(sizeof *r->field);
     r->heading = QTR_STAND_DOWN;
-    r->cell = o->froms > 0 ? (qtr_cell)(o->from[i].row * t->policy.grid.columns + o->from[i].column)
-                           : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
+    r->cell = config->froms > 0 ? (qtr_cell)(config->from[i].row * t->policy.grid.columns + config->from[i].column)
+                                : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
     r->factor = 1.0;
     r->lost = QTR_NEVER;
-    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, &o->clear);
+    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, &config->clear);
   }
   bool whole = w->robots != NULL;
   for (int i = 0; whole && i < w->count; i++) whole = w->robots[i].field != NULL;
@@ -115,9 +121,9 @@ static bool scan(simulation *s, world *w, int i, qtr_steps now) {
   const uint16_t place = qtr_seeker_target(&r->seeker);
   if (place == QTR_STAND_DOWN || r->moving || qtr_policy_cell(&w->t->policy, place) != r->cell) return false;
   record_visit(s, w, i, place, now);
-  if ((int)place == w->o->target && s->found_step == QTR_NEVER) {
+  if ((int)place == w->config->target && s->found_step == QTR_NEVER) {
     s->found_step = now;
-    w->finder = w->o->clear_all ? QTR_NOBODY : i;
+    w->finder = w->config->clear_all ? QTR_NOBODY : i;
   }
   if (w->finder == i) return false;
   qtr_seeker_visited(&r->seeker, place);
@@ -205,9 +211,9 @@ static void add_up(simulation *s, const world *w) {
   for (int i = 0; i < w->count; i++) s->off_table += w->robots[i].seeker.off_table;
 }
 
-int simulation_run(simulation *s, const table *t, const options *o, fault *why) {
+int simulation_run(simulation *s, const table *t, const simulation_config *config, fault *why) {
   world w;
-  if (check_options(t, o, why) != 0 || make_world(&w, t, o, why) != 0) return -1;
+  if (check_config(t, config, why) != 0 || make_world(&w, t, config, why) != 0) return -1;
   *s = (simulation){.found_step = QTR_NEVER};
   while (step_world(s, &w, s->end)) s->end++;
   add_up(s, &w);

@@ -7,8 +7,37 @@
 
 #include "host/base/fault.h"
 #include "host/table/table.h"
-#include "options.h"
+#include "quarter/places.h"
 #include "quarter/seeker.h"
+
+enum { SIMULATION_NO_TARGET = -1 };
+
+typedef struct {
+  int seeker;
+  uint32_t wait; /* steps that it starts later */
+  double factor; /* 1: it is on time; 2: every move takes it twice as long */
+} simulation_late;
+
+typedef struct {
+  int seeker;
+  uint32_t step; /* from which on it does nothing more */
+} simulation_lost;
+
+typedef struct {
+  int column, row;
+} simulation_start;
+
+/* How the game is to go. */
+typedef struct {
+  int lates, losts;
+  simulation_late late[QTR_MAX_SEEKERS];
+  simulation_lost lost[QTR_MAX_SEEKERS];
+  int froms; /* seekers put elsewhere than the table says; 0: none */
+  simulation_start from[QTR_MAX_SEEKERS];
+  qtr_places clear; /* places cleared beforehand */
+  int target;       /* place, or SIMULATION_NO_TARGET */
+  bool clear_all;   /* go on after the find */
+} simulation_config;
 
 typedef struct {
   uint16_t place;
@@ -28,8 +57,10 @@ typedef struct {
   double expected_time;                 /* steps; NAN if a place was left unvisited */
 } simulation;
 
-/* Play a game out: robots late or lost, and the target, as the options say. 0, or -1 with *why set: an option that does
- * not fit the table, or no memory. */
-int simulation_run(simulation *s, const table *t, const options *o, fault *why);
+/* Everybody on time from the table's starts, nothing cleared, no target. */
+void simulation_config_default(simulation_config *config);
+
+/* Play a game out. 0, or -1 with *why set: something that does not fit the table, or no memory. */
+int simulation_run(simulation *s, const table *t, const simulation_config *config, fault *why);
 
 #endif

@@ -1,10 +1,9 @@
-/* A problem being learnt as the options say: its ground, the aggregate of it if one is asked for, the learner. */
+/* A problem being learnt: its ground, the aggregate of it if one is asked for, the learner. */
 #ifndef QUARTER_HOST_STUDY_H
 #define QUARTER_HOST_STUDY_H
 
 #include "host/base/fault.h"
 #include "host/plan/problem.h"
-#include "options.h"
 #include "quarter/environment.h"
 #include "quarter/learner.h"
 #include "quarter/regions.h"
@@ -20,14 +19,11 @@ typedef struct {
   qtr_learner learner;
 } study;
 
-/* Read the input and set its ground up. 0, or -1 with *why set. */
-int study_read(study *s, const options *o, fault *why);
+/* Divide the map into regions. 0, or -1 with *why set, or QTR_ERR_STOPPED. */
+int study_divide(study *s, const plan_aggregation *how, fault *why);
 
-/* Divide the map into regions as the options say. 0, or -1 with *why set, or QTR_ERR_STOPPED. */
-int study_divide(study *s, const options *o, fault *why);
-
-/* Begin to learn it anew; may be called again with other aggregation options. There is a first plan then, also after a
+/* Begin to learn the measured problem `s->p` anew; may be called again with other settings. There is a first plan then, also after a
  * stop: one on the true map, if the aggregate was not ready. 0, or -1 with *why set. */
-int study_begin(study *s, const options *o, fault *why);
+int study_begin(study *s, const plan_config *config, fault *why);
 
 #endif

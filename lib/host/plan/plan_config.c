@@ -1,0 +1,27 @@
+#include "host/plan/plan_config.h"
+
+#include <string.h>
+
+#define MADE 0x504C414Eu
+
+void plan_config_default(plan_config *config) {
+  memset(config, 0, sizeof *config);
+  config->made = MADE;
+  config->objective = PLAN_AS_STATED;
+  config->rule = PLAN_AS_STATED;
+  qtr_learner_config_default(&config->learner);
+  config->aggregation.region_size = 25;
+  config->aggregation.region_diameter = 15;
+  config->aggregation.spot_size = 5;
+  config->aggregation.spot_diameter = 25;
+  config->table_limit = 4.0;
+}
+
+int plan_config_check(const plan_config *config, fault *why) {
+  if (config->made != MADE) return fault_set(why, "the plan's settings did not come from plan_config_default()");
+  /* Times between regions are no bounds. */
+  if (!config->aggregation.by_regions || config->learner.setting == QTR_SETTING_PAPER) return 0;
+  return fault_set(why,
+                   "--aggregate: regions go with --learner paper alone, for times between regions are no bounds; the "
+                   "certified setting takes spots");
+}
