@@ -17,6 +17,10 @@
 #include "quarter_terminate.h"
 #include "rng.h"
 
+_Static_assert(DEMO_MOST_ROBOTS == QUARTER_STATUS_MOST_ROBOTS, "as lcmtypes/status.lcm has it");
+_Static_assert(DEMO_MOST_PLACES == QUARTER_STATUS_MOST_PLACES, "as lcmtypes/status.lcm has it");
+_Static_assert(DEMO_RAYS == QUARTER_SCAN_RAYS, "as lcmtypes/scan.lcm has it");
+
 #define LATEST (INT64_MAX / 2) /* microseconds: moments up to here can be subtracted from one another */
 #define LOG_LEAP 60000000      /* microseconds: no robot answers later than that */
 #define QUEUE 1000             /* messages that a subscription holds: LCM's own 30 are too few for a burst */
@@ -205,7 +209,7 @@ void bus_send_status(bus *b, const message_status *m) {
 /* ---- hearing: bytes from outside, decoded, checked field by field, and ignored if they are not sound ---- */
 
 static bool sound_robot(const listener *l, int robot) {
-  return robot >= 0 && robot < MESSAGE_MOST_ROBOTS && (l->robot < 0 || robot == l->robot);
+  return robot >= 0 && robot < DEMO_MOST_ROBOTS && (l->robot < 0 || robot == l->robot);
 }
 
 /* False for what is not a number, too. */
@@ -234,7 +238,7 @@ static bool take_scan(const listener *l, const lcm_recv_buf_t *packet) {
   if (quarter_scan_decode(packet->data, 0, (int)packet->data_size, &wire) < 0 || !sound_robot(l, wire.robot))
     return false;
   if (!is_mark(wire.read) || !is_mark(wire.mine)) return false;
-  for (int ray = 0; ray < MESSAGE_RAYS; ray++)
+  for (int ray = 0; ray < DEMO_RAYS; ray++)
     if (!within((double)wire.range[ray], MESSAGE_FARTHEST) || wire.range[ray] < 0.0f) return false;
   m = (message_scan){.utime = wire.utime, .robot = wire.robot, .read = wire.read != 0, .mine = wire.mine != 0};
   memcpy(m.range, wire.range, sizeof m.range);
@@ -277,7 +281,7 @@ static bool take_status(const listener *l, const lcm_recv_buf_t *packet) {
   quarter_status wire;
   message_status m;
   if (quarter_status_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
-  if (wire.robots < 0 || wire.robots > MESSAGE_MOST_ROBOTS || wire.places < 0 || wire.places > MESSAGE_MOST_PLACES)
+  if (wire.robots < 0 || wire.robots > DEMO_MOST_ROBOTS || wire.places < 0 || wire.places > DEMO_MOST_PLACES)
     return false;
   if (wire.mines_found < 0 || wire.mines_found > wire.places || !sound_states(&wire)) return false;
   m = (message_status){

@@ -5,9 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define MESSAGE_RAYS 24
-#define MESSAGE_MOST_ROBOTS 16
-#define MESSAGE_MOST_PLACES 128
+#include "demo_limits.h"
+
 #define MESSAGE_FARTHEST 1e9 /* metres, and metres a second: what lies beyond is no place on earth */
 #define MESSAGE_TURN 1e6     /* radians */
 
@@ -21,9 +20,9 @@ typedef struct {
 typedef struct {
   int64_t utime;
   int robot;
-  bool read;                 /* the mine sensor was read, as the last command asked */
-  bool mine;                 /* and there is a mine within its range */
-  float range[MESSAGE_RAYS]; /* to the nearest thing, ray r at heading + r / MESSAGE_RAYS of a turn */
+  bool read;              /* the mine sensor was read, as the last command asked */
+  bool mine;              /* and there is a mine within its range */
+  float range[DEMO_RAYS]; /* to the nearest thing, ray r at heading + r / DEMO_RAYS of a turn */
 } message_scan;
 
 typedef struct {
@@ -45,9 +44,9 @@ enum message_state { STATE_ALIVE = 0, STATE_STOPPED = 1, STATE_LOST = 2, STATE_S
 typedef struct {
   int64_t utime;
   int robots, places, mines_found;
-  int8_t state[MESSAGE_MOST_ROBOTS];      /* enum message_state */
-  int8_t scanned_by[MESSAGE_MOST_PLACES]; /* -1: nobody yet */
-  int8_t found[MESSAGE_MOST_PLACES];
+  int8_t state[DEMO_MOST_ROBOTS];      /* enum message_state */
+  int8_t scanned_by[DEMO_MOST_PLACES]; /* -1: nobody yet */
+  int8_t found[DEMO_MOST_PLACES];
 } message_status;
 
 enum message_kind { KIND_POSE, KIND_SCAN, KIND_COMMAND, KIND_TERMINATE, KIND_STATUS, KINDS };

@@ -73,9 +73,9 @@ int arena_open(arena *a, const table *t, bus *b, const arena_setup *setup, fault
   a->g = ground_of(&t->policy);
   a->robots = t->policy.board.seekers;
   a->places = t->policy.board.places;
-  if (a->robots > WORLD_MOST_ROBOTS || a->places > MESSAGE_MOST_PLACES)
-    return fault_set(why, "the demo holds %d robots and %d places at most; this table has %d and %d", WORLD_MOST_ROBOTS,
-                     MESSAGE_MOST_PLACES, a->robots, a->places);
+  if (a->robots > DEMO_MOST_ROBOTS || a->places > DEMO_MOST_PLACES)
+    return fault_set(why, "the demo holds %d robots and %d places at most; this table has %d and %d", DEMO_MOST_ROBOTS,
+                     DEMO_MOST_PLACES, a->robots, a->places);
   rng_seed(&dice, setup->seed);
   a->mine = setup->mine == -1 ? draw_mine(a, &dice) : setup->mine;
   a->w = world_new(&t->policy, rng_next(&dice));
@@ -100,7 +100,7 @@ void arena_close(arena *a) {
 
 static bool over_place(const arena *a, point at, int place) {
   const point middle = ground_centre(&a->g, qtr_policy_cell(&a->t->policy, (unsigned)place));
-  return hypot(middle.x - at.x, middle.y - at.y) < WORLD_MINE_RANGE;
+  return hypot(middle.x - at.x, middle.y - at.y) < DEMO_MINE_RANGE;
 }
 
 static void note_scan(arena *a, int robot, int place) {
@@ -134,8 +134,8 @@ static void publish_robot(arena *a, int robot) {
   const message_pose where = {utime_of(a), robot, ground_x_m(&a->g, pose.at), ground_y_m(&a->g, pose.at), pose.heading};
   message_scan scan = {.utime = where.utime, .robot = robot, .read = a->robot[robot].read};
   if (scan.read) scan.mine = sense_mine(a, robot, pose.at);
-  world_look(a->w, robot, scan.range, MESSAGE_RAYS);
-  for (int ray = 0; ray < MESSAGE_RAYS; ray++) scan.range[ray] *= (float)a->g.cell_size;
+  world_look(a->w, robot, scan.range, DEMO_RAYS);
+  for (int ray = 0; ray < DEMO_RAYS; ray++) scan.range[ray] *= (float)a->g.cell_size;
   bus_send_pose(a->b, &where);
   bus_send_scan(a->b, &scan);
 }

@@ -68,11 +68,11 @@ typedef struct {
   double now; /* seconds */
   uint64_t ticks;
   int next_fault;
-  arena_robot robot[WORLD_MOST_ROBOTS];
+  arena_robot robot[DEMO_MOST_ROBOTS];
   int8_t scanned_by[QTR_MAX_PLACES]; /* -1: nobody yet */
   double scanned_at[QTR_MAX_PLACES];
-  bool done[WORLD_MOST_ROBOTS]; /* territories announced */
-  double found_at;              /* seconds; below 0: not yet */
+  bool done[DEMO_MOST_ROBOTS]; /* territories announced */
+  double found_at;             /* seconds; below 0: not yet */
   int duplicates, deadlocks;
   uint64_t commands, signals; /* heard */
   int events;

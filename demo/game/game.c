@@ -12,8 +12,8 @@
 typedef struct {
   arena a;
   bus *b;
-  qtr_seeker seeker[WORLD_MOST_ROBOTS];
-  baseline baseline[WORLD_MOST_ROBOTS];
+  qtr_seeker seeker[DEMO_MOST_ROBOTS];
+  baseline baseline[DEMO_MOST_ROBOTS];
   robot *crew;
 } game;
 

@@ -13,6 +13,8 @@
 #include "quarter/export.h"
 #include "quarter/status.h"
 
+_Static_assert(DEMO_NAME_SIZE >= INPUT_NAME_SIZE, "a name that an input may have is shown whole");
+
 static study *learnt;
 static plan_config asked;
 

@@ -2,12 +2,13 @@
 #ifndef QUARTER_DEMO_PLAN_H
 #define QUARTER_DEMO_PLAN_H
 
+#include "demo_limits.h"
 #include "host/base/fault.h"
 #include "host/table/table.h"
 
 typedef struct {
   table t;
-  char name[128]; /* of the mission */
+  char name[DEMO_NAME_SIZE]; /* of the mission */
   double likelihood[QTR_MAX_PLACES];
   table_route routes[QTR_MAX_SEEKERS];
   int territory[QTR_MAX_PLACES];  /* seeker whose route holds the place; -1: nobody's */

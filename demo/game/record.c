@@ -246,7 +246,7 @@ static void write_head(json *j, const plan *p, const record_head *head) {
   json_string(j, "mode", head->clear_all ? "clear" : "find");
   write_map(j, p);
   json_integer(j, "robots", p->t.policy.board.seekers);
-  json_number(j, "robot_radius", WORLD_ROBOT_RADIUS);
+  json_number(j, "robot_radius", DEMO_RADIUS);
   write_starts(j, p);
   write_places(j, p);
   json_flat_array(j, "mines");

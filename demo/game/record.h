@@ -19,7 +19,7 @@ typedef struct {
   const plan *p;
   int robots;
   size_t samples, room; /* of each robot */
-  record_sample *track[WORLD_MOST_ROBOTS];
+  record_sample *track[DEMO_MOST_ROBOTS];
   double next; /* seconds */
   bool full;   /* there was no memory for more */
 } record;

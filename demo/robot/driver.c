@@ -36,7 +36,7 @@ static double wrap(double angle) {
 
 /* How far the robot can go in a direction, relative to its heading, before it touches what a ray has seen. */
 static double clearance(const driver_view *view, double direction) {
-  const double broad = DRIVER_RADIUS + MARGIN;
+  const double broad = DEMO_RADIUS + MARGIN;
   double least = view->reach;
   for (int ray = 0; ray < view->rays; ray++) {
     const double range = (double)view->range[ray];
@@ -86,5 +86,5 @@ driver_wheels driver_steer(const driver_view *view, point aim) {
   if (free < 0.3) speed *= CREEP + (1.0 - CREEP) * free / 0.3;
   double turn = TURN * off;
   turn = turn > FASTEST_TURN ? FASTEST_TURN : turn < -FASTEST_TURN ? -FASTEST_TURN : turn;
-  return (driver_wheels){speed - turn * DRIVER_AXLE / 2, speed + turn * DRIVER_AXLE / 2};
+  return (driver_wheels){speed - turn * DEMO_AXLE / 2, speed + turn * DEMO_AXLE / 2};
 }

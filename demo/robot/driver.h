@@ -7,13 +7,11 @@
 #ifndef QUARTER_DEMO_DRIVER_H
 #define QUARTER_DEMO_DRIVER_H
 
+#include "demo_limits.h"
 #include "ground.h"
 #include "quarter/travel.h"
 
 #define DRIVER_SPEED 1.0 /* cells a second where the ground is good */
-#define DRIVER_LANE 0.2  /* cells that a robot keeps to the right of a cell's middle */
-#define DRIVER_RADIUS 0.12
-#define DRIVER_AXLE 0.2
 
 /* What a robot knows of its surroundings, in cells. */
 typedef struct {

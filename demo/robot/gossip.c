@@ -7,7 +7,8 @@
 bool gossip_learn(gossip *g, int signal, int territory) {
   bool *known = NULL;
   if (signal == QTR_SIGNAL_FOUND) known = &g->found;
-  if (signal == QTR_SIGNAL_TERRITORY_DONE && territory >= 0 && territory < GOSSIP_MOST) known = &g->done[territory];
+  if (signal == QTR_SIGNAL_TERRITORY_DONE && territory >= 0 && territory < DEMO_MOST_ROBOTS)
+    known = &g->done[territory];
   if (known == NULL || *known) return false;
   *known = true;
   g->news = true;
@@ -21,6 +22,6 @@ void gossip_repeat(gossip *g, int64_t utime, void (*say)(void *user, int signal,
   g->news = false;
   g->next = (int64_t)((uint64_t)utime + GOSSIP_PERIOD);
   if (g->found) say(user, QTR_SIGNAL_FOUND, 0);
-  for (int territory = 0; territory < GOSSIP_MOST; territory++)
+  for (int territory = 0; territory < DEMO_MOST_ROBOTS; territory++)
     if (g->done[territory]) say(user, QTR_SIGNAL_TERRITORY_DONE, territory);
 }

@@ -6,14 +6,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#define GOSSIP_MOST 16
+#include "demo_limits.h"
+
 #define GOSSIP_PERIOD 100000 /* microseconds between repetitions */
 
 typedef struct {
-  bool found;             /* FOUND is known */
-  bool done[GOSSIP_MOST]; /* territories known to be done */
-  bool news;              /* something to say at once */
-  int64_t next;           /* utime of the next repetition */
+  bool found;                  /* FOUND is known */
+  bool done[DEMO_MOST_ROBOTS]; /* territories known to be done */
+  bool news;                   /* something to say at once */
+  int64_t next;                /* utime of the next repetition */
 } gossip;
 
 /* Learn a signal. True if it is new. What is no signal is ignored. */

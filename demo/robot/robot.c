@@ -12,7 +12,6 @@
 #define PATIENCE 2500000  /* microseconds without making way after which it tries the other side */
 #define KEEP_LEFT 3000000 /* microseconds for which it does at least */
 #define PI 3.14159265358979323846
-#define EYE_RANGE 1.45 /* cells: what is seen beyond is not looked at */
 
 /* ---- the plan's pilot ---- */
 
@@ -104,11 +103,10 @@ static point position(const robot *r) {
 static double nearest_towards(const robot *r, const message_scan *m, point goal) {
   const point at = position(r);
   const double turn = remainder(atan2(goal.y - at.y, goal.x - at.x) - r->pose.heading, 2 * PI) / (2 * PI);
-  const int ray = (int)lround(turn * MESSAGE_RAYS);
-  double nearest = EYE_RANGE;
+  const int ray = (int)lround(turn * DEMO_RAYS);
+  double nearest = DEMO_EYE_TRUST;
   for (int beside = -1; beside <= 1; beside++) {
-    const double range =
-        (double)m->range[((ray + beside) % MESSAGE_RAYS + MESSAGE_RAYS) % MESSAGE_RAYS] / r->g.cell_size;
+    const double range = (double)m->range[((ray + beside) % DEMO_RAYS + DEMO_RAYS) % DEMO_RAYS] / r->g.cell_size;
     if (range < nearest) nearest = range;
   }
   return nearest;
@@ -156,19 +154,19 @@ static double choose_lane(robot *r) {
     r->switched = r->utime;
     r->left = !r->left;
   }
-  return r->left ? -DRIVER_LANE : DRIVER_LANE;
+  return r->left ? -DEMO_LANE : DEMO_LANE;
 }
 
 static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
   const qtr_cell goal = qtr_policy_cell(r->policy, target);
-  float range[MESSAGE_RAYS];
+  float range[DEMO_RAYS];
   if (!r->way_known || target != r->target) {
     qtr_field_fill(&r->way, &r->policy->grid, goal);
     r->target = target;
     r->way_known = true;
   }
-  for (int ray = 0; ray < MESSAGE_RAYS; ray++) range[ray] = (float)((double)m->range[ray] / r->g.cell_size);
-  const driver_view view = {position(r), r->pose.heading, MESSAGE_RAYS, range, EYE_RANGE};
+  for (int ray = 0; ray < DEMO_RAYS; ray++) range[ray] = (float)((double)m->range[ray] / r->g.cell_size);
+  const driver_view view = {position(r), r->pose.heading, DEMO_RAYS, range, DEMO_EYE_TRUST};
   return driver_steer(&view, driver_aim(&r->g, &r->way, goal, view.at, choose_lane(r)));
 }
 

@@ -25,7 +25,7 @@ struct world {
   ground g;
   b2WorldId id;
   int robots;
-  vehicle vehicle[WORLD_MOST_ROBOTS];
+  vehicle vehicle[DEMO_MOST_ROBOTS];
   rng dice;
   int collisions;
 };
@@ -80,7 +80,7 @@ static void add_robot(world *w, const qtr_policy *policy, int robot) {
   b2BodyDef def = b2DefaultBodyDef();
   b2ShapeDef shape = b2DefaultShapeDef();
   const point at = start_point(w, policy, robot);
-  const b2Circle circle = {{0, 0}, (float)WORLD_ROBOT_RADIUS};
+  const b2Circle circle = {{0, 0}, (float)DEMO_RADIUS};
   def.type = b2_dynamicBody;
   def.position = (b2Vec2){(float)at.x, (float)at.y};
   def.rotation = b2MakeRot(6.28f * (float)rng_unit(&w->dice) - 3.14f);
@@ -148,7 +148,7 @@ static void push(world *w, int robot) {
   const double left = go * v->left * (1.0 + v->noise_left);
   const double right = go * v->right * (1.0 + v->noise_right);
   const float speed = (float)((left + right) / 2);
-  const float turn = (float)((right - left) / WORLD_AXLE);
+  const float turn = (float)((right - left) / DEMO_AXLE);
   const b2Rot rotation = b2Body_GetRotation(v->body);
   const b2Vec2 velocity = b2Body_GetLinearVelocity(v->body);
   const float mass = b2Body_GetMass(v->body);
@@ -205,9 +205,9 @@ void world_look(const world *w, int robot, float *range, int count) {
   const float heading = b2Rot_GetAngle(b2Body_GetRotation(self));
   for (int ray = 0; ray < count; ray++) {
     const b2Rot towards = b2MakeRot(b2UnwindAngle(heading + 6.2831853f * (float)ray / (float)count));
-    const b2Vec2 reach = {(float)WORLD_EYE_RANGE * towards.c, (float)WORLD_EYE_RANGE * towards.s};
+    const b2Vec2 reach = {(float)DEMO_EYE_RANGE * towards.c, (float)DEMO_EYE_RANGE * towards.s};
     glance g = {self, 1.0f};
     b2World_CastRay(w->id, from, reach, b2DefaultQueryFilter(), see, &g);
-    range[ray] = g.nearest * (float)WORLD_EYE_RANGE;
+    range[ray] = g.nearest * (float)DEMO_EYE_RANGE;
   }
 }

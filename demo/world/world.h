@@ -10,17 +10,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "demo_limits.h"
 #include "ground.h"
 #include "quarter/policy.h"
 
-#define WORLD_MOST_ROBOTS 16
 #define WORLD_STEP (1.0 / 60.0) /* seconds */
-#define WORLD_ROBOT_RADIUS 0.12 /* cells */
-#define WORLD_AXLE 0.2          /* cells between the wheels */
-#define WORLD_MINE_RANGE                                                                                               \
-  0.36                      /* cells from a robot's middle at which its sensor sees a mine: past another robot's body */
-#define WORLD_EYE_RANGE 1.5 /* cells that its rays reach */
-#define WORLD_WHEEL_NOISE 0.05 /* standard deviation of a wheel's speed, relative */
+#define WORLD_WHEEL_NOISE 0.05  /* standard deviation of a wheel's speed, relative */
 
 typedef struct world world;
 
@@ -41,7 +36,7 @@ void world_drive(world *w, int robot, double left, double right);
 
 world_pose world_pose_of(const world *w, int robot);
 
-/* Distances that `count` rays reach, evenly spread counter-clockwise from the heading; WORLD_EYE_RANGE where nothing is. */
+/* Distances that `count` rays reach, evenly spread counter-clockwise from the heading; DEMO_EYE_RANGE where nothing is. */
 void world_look(const world *w, int robot, float *range, int count);
 
 /* ---- faults ---- */

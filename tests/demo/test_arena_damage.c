@@ -74,9 +74,9 @@ static void test_a_game_whose_robots_are_all_lost_by_the_script_is_over_and_not_
 
 static void test_a_stranger_announces_no_territory(void) {
   open_arena(NULL);
-  for (int sender = 2; sender < MESSAGE_MOST_ROBOTS; sender++)
+  for (int sender = 2; sender < DEMO_MOST_ROBOTS; sender++)
     bus_send_terminate(b, &(message_terminate){0, sender, QTR_SIGNAL_TERRITORY_DONE, 0});
-  for (int territory = 2; territory < MESSAGE_MOST_ROBOTS; territory++)
+  for (int territory = 2; territory < DEMO_MOST_ROBOTS; territory++)
     bus_send_terminate(b, &(message_terminate){0, 1, QTR_SIGNAL_TERRITORY_DONE, territory});
   bus_drain(b);
   TEST_ASSERT_EQUAL_INT(0, a.events);

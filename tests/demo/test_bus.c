@@ -90,7 +90,7 @@ static void send_scan(test_random *random, int robot) {
                     .robot = robot,
                     .read = random_chance(random, 50),
                     .mine = random_chance(random, 50)};
-  for (int ray = 0; ray < MESSAGE_RAYS; ray++) m.range[ray] = (float)random_unit(random);
+  for (int ray = 0; ray < DEMO_RAYS; ray++) m.range[ray] = (float)random_unit(random);
   bus_send_scan(b, &m);
   TEST_ASSERT_EQUAL_INT_MESSAGE(1, bus_drain(b), case_note);
   TEST_ASSERT_TRUE_MESSAGE(m.utime == scan.utime && m.robot == scan.robot, case_note);
@@ -99,7 +99,7 @@ static void send_scan(test_random *random, int robot) {
 }
 
 static void send_terminate(test_random *random) {
-  const message_terminate m = {(int64_t)(random_bits(random) >> 2), (int)random_below(random, MESSAGE_MOST_ROBOTS),
+  const message_terminate m = {(int64_t)(random_bits(random) >> 2), (int)random_below(random, DEMO_MOST_ROBOTS),
                                (int)random_in(random, 1, 2), (int)random_below(random, 16)};
   bus_send_terminate(b, &m);
   TEST_ASSERT_EQUAL_INT_MESSAGE(1, bus_drain(b), case_note);
@@ -109,13 +109,13 @@ static void send_terminate(test_random *random) {
 
 static void send_status(test_random *random) {
   message_status m = {.utime = (int64_t)(random_bits(random) >> 2),
-                      .robots = (int)random_below(random, MESSAGE_MOST_ROBOTS + 1),
-                      .places = 1 + (int)random_below(random, MESSAGE_MOST_PLACES),
+                      .robots = (int)random_below(random, DEMO_MOST_ROBOTS + 1),
+                      .places = 1 + (int)random_below(random, DEMO_MOST_PLACES),
                       .mines_found = (int)random_below(random, 2)};
-  for (int i = 0; i < MESSAGE_MOST_ROBOTS; i++) m.state[i] = (int8_t)random_below(random, 4);
-  for (int i = 0; i < MESSAGE_MOST_PLACES; i++)
+  for (int i = 0; i < DEMO_MOST_ROBOTS; i++) m.state[i] = (int8_t)random_below(random, 4);
+  for (int i = 0; i < DEMO_MOST_PLACES; i++)
     m.scanned_by[i] = (int8_t)((int)random_below(random, (unsigned)m.robots + 1) - 1);
-  for (int i = 0; i < MESSAGE_MOST_PLACES; i++) m.found[i] = (int8_t)random_below(random, 2);
+  for (int i = 0; i < DEMO_MOST_PLACES; i++) m.found[i] = (int8_t)random_below(random, 2);
   bus_send_status(b, &m);
   TEST_ASSERT_EQUAL_INT_MESSAGE(1, bus_drain(b), case_note);
   TEST_ASSERT_TRUE_MESSAGE(m.utime == status.utime && m.robots == status.robots, case_note);
@@ -128,7 +128,7 @@ static void send_status(test_random *random) {
 static void test_every_kind_of_message_arrives_unchanged(void) {
   for (unsigned number = 0; number < 64; number++) {
     test_random random = random_case("arrives unchanged", number);
-    const int robot = (int)random_below(&random, MESSAGE_MOST_ROBOTS);
+    const int robot = (int)random_below(&random, DEMO_MOST_ROBOTS);
     tearDown();
     setUp();
     listen(robot);
@@ -144,7 +144,7 @@ static void test_every_kind_of_message_arrives_unchanged(void) {
 
 static void test_a_robots_channels_are_its_own(void) {
   listen(1);
-  for (int robot = 0; robot < MESSAGE_MOST_ROBOTS; robot++) {
+  for (int robot = 0; robot < DEMO_MOST_ROBOTS; robot++) {
     bus_send_pose(b, &(message_pose){0, robot, 0, 0, 0});
     bus_send_scan(b, &(message_scan){.robot = robot});
     bus_send_command(b, &(message_command){.robot = robot});

@@ -44,7 +44,7 @@ static void hear_pose(void *user, const message_pose *m) {
 static void hear_scan(void *user, const message_scan *m) {
   (void)user;
   TEST_ASSERT_EQUAL_INT(ME, m->robot);
-  for (int ray = 0; ray < MESSAGE_RAYS; ray++) TEST_ASSERT_TRUE(isfinite(m->range[ray]) && m->range[ray] >= 0.0f);
+  for (int ray = 0; ray < DEMO_RAYS; ray++) TEST_ASSERT_TRUE(isfinite(m->range[ray]) && m->range[ray] >= 0.0f);
   heard[KIND_SCAN]++;
 }
 
@@ -57,14 +57,14 @@ static void hear_command(void *user, const message_command *m) {
 
 static void hear_terminate(void *user, const message_terminate *m) {
   (void)user;
-  TEST_ASSERT_TRUE(m->sender >= 0 && m->sender < MESSAGE_MOST_ROBOTS);
+  TEST_ASSERT_TRUE(m->sender >= 0 && m->sender < DEMO_MOST_ROBOTS);
   heard[KIND_TERMINATE]++;
 }
 
 static void hear_status(void *user, const message_status *m) {
   (void)user;
-  TEST_ASSERT_TRUE(m->robots >= 0 && m->robots <= MESSAGE_MOST_ROBOTS);
-  TEST_ASSERT_TRUE(m->places >= 0 && m->places <= MESSAGE_MOST_PLACES);
+  TEST_ASSERT_TRUE(m->robots >= 0 && m->robots <= DEMO_MOST_ROBOTS);
+  TEST_ASSERT_TRUE(m->places >= 0 && m->places <= DEMO_MOST_PLACES);
   heard[KIND_STATUS]++;
 }
 
@@ -119,7 +119,7 @@ enum { TIME = 8, ROBOT = 16, NUMBERS = 20, STATUS_PLACES = 20 };
 
 /* The ranges end a scan. */
 static int scan_range(int ray) {
-  return sound[KIND_SCAN].length - 4 * (MESSAGE_RAYS - ray);
+  return sound[KIND_SCAN].length - 4 * (DEMO_RAYS - ray);
 }
 
 static void put_changed(int kind, int at, uint64_t value, int bytes) {
@@ -145,8 +145,8 @@ static uint32_t float_bits_of(float value) {
 enum {
   FOUND_FIELD = 24,
   STATES = 28,
-  SCANNED_BY = STATES + MESSAGE_MOST_ROBOTS,
-  FOUND_AT = SCANNED_BY + MESSAGE_MOST_PLACES
+  SCANNED_BY = STATES + DEMO_MOST_ROBOTS,
+  FOUND_AT = SCANNED_BY + DEMO_MOST_PLACES
 };
 
 /* ---- tests ---- */
@@ -216,8 +216,7 @@ static void test_numbers_that_are_none_are_ignored(void) {
   for (int i = 0; i < 4; i++) {
     for (int field = 0; field < 3; field++) put_changed(KIND_POSE, NUMBERS + 8 * field, bits_of(none[i]), 8);
     for (int field = 0; field < 2; field++) put_changed(KIND_COMMAND, NUMBERS + 8 * field, bits_of(none[i]), 8);
-    for (int ray = 0; ray < MESSAGE_RAYS; ray++)
-      put_changed(KIND_SCAN, scan_range(ray), float_bits_of((float)none[i]), 4);
+    for (int ray = 0; ray < DEMO_RAYS; ray++) put_changed(KIND_SCAN, scan_range(ray), float_bits_of((float)none[i]), 4);
   }
   put_changed(KIND_SCAN, scan_range(0), float_bits_of(-0.5f), 4);
   TEST_ASSERT_EQUAL_INT(0, play());
@@ -235,14 +234,14 @@ static void test_times_before_the_beginning_and_past_all_bounds_are_ignored(void
 }
 
 static void test_robots_and_places_out_of_range_are_ignored(void) {
-  static const int32_t none[] = {-1, MESSAGE_MOST_ROBOTS, MESSAGE_MOST_ROBOTS + 1, INT32_MIN, INT32_MAX};
+  static const int32_t none[] = {-1, DEMO_MOST_ROBOTS, DEMO_MOST_ROBOTS + 1, INT32_MIN, INT32_MAX};
   for (int i = 0; i < 5; i++)
     for (int kind = KIND_POSE; kind <= KIND_TERMINATE; kind++) put_changed(kind, ROBOT, (uint32_t)none[i], 4);
   for (int kind = KIND_POSE; kind <= KIND_COMMAND; kind++)
     put_changed(kind, ROBOT, ME + 1, 4); /* another's, on my channel */
-  put_changed(KIND_STATUS, ROBOT, MESSAGE_MOST_ROBOTS + 1, 4);
+  put_changed(KIND_STATUS, ROBOT, DEMO_MOST_ROBOTS + 1, 4);
   put_changed(KIND_STATUS, ROBOT, UINT32_MAX, 4);
-  put_changed(KIND_STATUS, STATUS_PLACES, MESSAGE_MOST_PLACES + 1, 4);
+  put_changed(KIND_STATUS, STATUS_PLACES, DEMO_MOST_PLACES + 1, 4);
   put_changed(KIND_STATUS, STATUS_PLACES, UINT32_MAX, 4);
   TEST_ASSERT_EQUAL_INT(0, play());
 }
@@ -271,7 +270,7 @@ static void test_marks_that_are_neither_0_nor_1_are_ignored(void) {
 
 static void test_signals_and_territories_that_are_none_are_ignored(void) {
   static const int32_t signals[] = {0, 3, -1, INT32_MIN, INT32_MAX};
-  static const int32_t territories[] = {-1, MESSAGE_MOST_ROBOTS, INT32_MIN, INT32_MAX};
+  static const int32_t territories[] = {-1, DEMO_MOST_ROBOTS, INT32_MIN, INT32_MAX};
   for (int i = 0; i < 5; i++) put_changed(KIND_TERMINATE, NUMBERS, (uint32_t)signals[i], 4);
   for (int i = 0; i < 4; i++) put_changed(KIND_TERMINATE, NUMBERS + 4, (uint32_t)territories[i], 4);
   TEST_ASSERT_EQUAL_INT(0, play());

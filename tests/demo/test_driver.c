@@ -32,7 +32,7 @@ static void use_ground(void) {
 
 static void assert_aim(double x, double y, qtr_cell target, point at) {
   qtr_field_fill(&way, &g.grid, target);
-  const point aim = driver_aim(&g, &way, target, at, DRIVER_LANE);
+  const point aim = driver_aim(&g, &way, target, at, DEMO_LANE);
   TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(1e-9, x, aim.x, case_note);
   TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(1e-9, y, aim.y, case_note);
 }
@@ -59,7 +59,7 @@ static void test_a_lane_below_zero_is_on_the_left(void) {
   mission_draw(&mission, "...../...../..S../...../.....");
   use_ground();
   qtr_field_fill(&way, &g.grid, 14);
-  const point aim = driver_aim(&g, &way, 14, (point){2.5, 2.5}, -DRIVER_LANE);
+  const point aim = driver_aim(&g, &way, 14, (point){2.5, 2.5}, -DEMO_LANE);
   TEST_ASSERT_DOUBLE_WITHIN(1e-9, 3.25, aim.x);
   TEST_ASSERT_DOUBLE_WITHIN(1e-9, 2.7, aim.y);
 }
@@ -94,13 +94,13 @@ static void test_every_aim_lies_to_the_right_in_a_cell_one_step_nearer(void) {
     for (qtr_cell cell = 0; cell < (qtr_cell)(mission.columns * mission.rows); cell++) {
       if (steps[cell] <= 0) continue;
       const point at = ground_centre(&g, cell);
-      const point aim = driver_aim(&g, &way, target, at, DRIVER_LANE);
+      const point aim = driver_aim(&g, &way, target, at, DEMO_LANE);
       const qtr_cell next = ground_cell(&g, aim);
       TEST_ASSERT_NOT_EQUAL_UINT_MESSAGE(QTR_NO_CELL, next, case_note);
       TEST_ASSERT_EQUAL_INT_MESSAGE(steps[cell] - 1, steps[next], case_note);
       const point to = ground_centre(&g, next);
       const double left = (to.x - at.x) * (aim.y - at.y) - (to.y - at.y) * (aim.x - at.x);
-      TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(1e-9, -DRIVER_LANE, left, case_note);
+      TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(1e-9, -DEMO_LANE, left, case_note);
     }
   }
 }
@@ -210,11 +210,11 @@ static double drive_past(double heading, point disc, point aim) {
   for (int tick = 0; tick < 400; tick++) {
     setUp();
     const double dx = disc.x - x, dy = disc.y - y;
-    see_disc(dx * cos(heading) + dy * sin(heading), dy * cos(heading) - dx * sin(heading), DRIVER_RADIUS);
+    see_disc(dx * cos(heading) + dy * sin(heading), dy * cos(heading) - dx * sin(heading), DEMO_RADIUS);
     const driver_view view = {{x, y}, heading, RAYS, range, REACH};
     const driver_wheels wheels = driver_steer(&view, aim);
     const double speed = (wheels.left + wheels.right) / 2;
-    heading += 0.05 * (wheels.right - wheels.left) / DRIVER_AXLE;
+    heading += 0.05 * (wheels.right - wheels.left) / DEMO_AXLE;
     x += 0.05 * speed * cos(heading);
     y += 0.05 * speed * sin(heading);
     nearest = fmin(nearest, hypot(disc.x - x, disc.y - y));
@@ -230,7 +230,7 @@ static void test_it_comes_past_another_robot_without_touching_it(void) {
     const point disc = {0.8 + 0.8 * random_unit(&random), 0.4 * random_unit(&random) - 0.2};
     const double nearest = drive_past(heading, disc, (point){2.5, 0.0});
     snprintf(case_note, sizeof case_note, "past a robot: seed %u, nearest %g", number, nearest);
-    TEST_ASSERT_TRUE_MESSAGE(nearest > 2 * DRIVER_RADIUS, case_note);
+    TEST_ASSERT_TRUE_MESSAGE(nearest > 2 * DEMO_RADIUS, case_note);
   }
 }
 

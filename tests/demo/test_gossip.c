@@ -73,7 +73,7 @@ static void test_only_the_first_time_is_a_signal_new(void) {
   TEST_ASSERT_TRUE(gossip_learn(&g, QTR_SIGNAL_FOUND, 0));
   TEST_ASSERT_FALSE(gossip_learn(&g, QTR_SIGNAL_FOUND, 0));
   TEST_ASSERT_TRUE(gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, 0));
-  TEST_ASSERT_TRUE(gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, GOSSIP_MOST - 1));
+  TEST_ASSERT_TRUE(gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, DEMO_MOST_ROBOTS - 1));
   TEST_ASSERT_FALSE(gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, 0));
   listen(0);
   gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, 0);
@@ -82,7 +82,7 @@ static void test_only_the_first_time_is_a_signal_new(void) {
 
 static void test_what_is_no_signal_and_no_territory_is_ignored(void) {
   static const int signals[] = {INT_MIN, -1, 0, 3, 4, 256, 257, INT_MAX};
-  static const int territories[] = {INT_MIN, -1, GOSSIP_MOST, GOSSIP_MOST + 1, 256, INT_MAX};
+  static const int territories[] = {INT_MIN, -1, DEMO_MOST_ROBOTS, DEMO_MOST_ROBOTS + 1, 256, INT_MAX};
   for (unsigned i = 0; i < sizeof signals / sizeof signals[0]; i++) TEST_ASSERT_FALSE(gossip_learn(&g, signals[i], 0));
   for (unsigned i = 0; i < sizeof territories / sizeof territories[0]; i++)
     TEST_ASSERT_FALSE(gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, territories[i]));
@@ -92,10 +92,10 @@ static void test_what_is_no_signal_and_no_territory_is_ignored(void) {
 static void test_any_set_of_signals_is_said_whole_and_each_once(void) {
   for (unsigned number = 0; number < 200; number++) {
     test_random random = random_case("set of signals", number);
-    bool known[GOSSIP_MOST] = {false};
+    bool known[DEMO_MOST_ROBOTS] = {false};
     memset(&g, 0, sizeof g);
     for (unsigned left = random_below(&random, 30); left > 0; left--) {
-      const int territory = (int)random_below(&random, GOSSIP_MOST);
+      const int territory = (int)random_below(&random, DEMO_MOST_ROBOTS);
       TEST_ASSERT_EQUAL_INT_MESSAGE(!known[territory], gossip_learn(&g, QTR_SIGNAL_TERRITORY_DONE, territory),
                                     case_note);
       known[territory] = true;
@@ -105,7 +105,7 @@ static void test_any_set_of_signals_is_said_whole_and_each_once(void) {
       TEST_ASSERT_TRUE_MESSAGE(known[said[i].territory], case_note);
       known[said[i].territory] = false;
     }
-    for (int territory = 0; territory < GOSSIP_MOST; territory++)
+    for (int territory = 0; territory < DEMO_MOST_ROBOTS; territory++)
       TEST_ASSERT_FALSE_MESSAGE(known[territory], case_note);
   }
 }

@@ -56,7 +56,7 @@ enum reading { UNREAD, CLEAR, MINE };
 /* A scan with nothing around, but for `range` on every ray. */
 static void act_amid(int64_t utime, enum reading reading, float range) {
   message_scan m = {.utime = utime, .robot = r.self, .read = reading != UNREAD, .mine = reading == MINE};
-  for (int ray = 0; ray < MESSAGE_RAYS; ray++) m.range[ray] = range;
+  for (int ray = 0; ray < DEMO_RAYS; ray++) m.range[ray] = range;
   commands = signals = 0;
   robot_hear_scan(&r, &m);
 }
@@ -290,7 +290,7 @@ static void test_its_own_echo_is_without_effect(void) {
 
 static void test_what_is_no_signal_is_without_effect(void) {
   static const int whats[] = {INT_MIN, -1, 0, 3, INT_MAX, QTR_SIGNAL_TERRITORY_DONE, QTR_SIGNAL_TERRITORY_DONE};
-  static const int territories[] = {0, 0, 0, 0, 0, -1, GOSSIP_MOST};
+  static const int territories[] = {0, 0, 0, 0, 0, -1, DEMO_MOST_ROBOTS};
   const uint16_t own = target();
   for (unsigned i = 0; i < sizeof whats / sizeof whats[0]; i++) hear(1, whats[i], territories[i]);
   place_at(start_cell(), 0.0, 0);
@@ -332,7 +332,7 @@ static void assert_said_well(int64_t utime) {
     TEST_ASSERT_EQUAL_INT_MESSAGE(r.self, signal[i].sender, case_note);
     TEST_ASSERT_TRUE_MESSAGE(signal[i].signal == QTR_SIGNAL_FOUND || signal[i].signal == QTR_SIGNAL_TERRITORY_DONE,
                              case_note);
-    TEST_ASSERT_TRUE_MESSAGE(signal[i].territory >= 0 && signal[i].territory < GOSSIP_MOST, case_note);
+    TEST_ASSERT_TRUE_MESSAGE(signal[i].territory >= 0 && signal[i].territory < DEMO_MOST_ROBOTS, case_note);
     TEST_ASSERT_TRUE_MESSAGE(signal[i].utime == utime, case_note);
   }
 }
@@ -350,7 +350,7 @@ static void test_whatever_it_hears_it_says_only_commands_and_signals_of_its_own(
                                  random_extreme(&random), random_extreme(&random)};
       message_scan scan = {.utime = utime, .robot = r.self, .read = random_chance(&random, 10)};
       scan.mine = scan.read && random_chance(&random, 50);
-      for (int ray = 0; ray < MESSAGE_RAYS; ray++)
+      for (int ray = 0; ray < DEMO_RAYS; ray++)
         scan.range[ray] = random_chance(&random, 5) ? FLT_MAX : (float)random_unit(&random);
       if (random_chance(&random, 80)) robot_hear_pose(&r, &pose);
       if (random_chance(&random, 5))

@@ -69,7 +69,7 @@ static void test_robots_that_share_a_start_do_not_overlap(void) {
     world_free(w);
     w = world_new(&policy, 1);
     for (int a = 0; a < crew; a++)
-      for (int b = 0; b < a; b++) TEST_ASSERT_TRUE(apart(a, b) > 2 * WORLD_ROBOT_RADIUS);
+      for (int b = 0; b < a; b++) TEST_ASSERT_TRUE(apart(a, b) > 2 * DEMO_RADIUS);
   }
 }
 
@@ -132,7 +132,7 @@ static void test_driven_against_a_wall_it_stays_a_radius_away(void) {
     head(0, 0.0, 1.5);
     world_step(w);
   }
-  TEST_ASSERT_DOUBLE_WITHIN(0.03, 4.0 - WORLD_ROBOT_RADIUS, x_of(0));
+  TEST_ASSERT_DOUBLE_WITHIN(0.03, 4.0 - DEMO_RADIUS, x_of(0));
   TEST_ASSERT_EQUAL_INT(0, world_collisions(w));
 }
 
@@ -142,7 +142,7 @@ static void test_robots_that_run_into_one_another_are_counted_and_do_not_pass(vo
     head(0, 0.0, 1.0);
     head(1, TURN / 2, 1.0);
     world_step(w);
-    TEST_ASSERT_TRUE(apart(0, 1) > 2 * WORLD_ROBOT_RADIUS - 0.03);
+    TEST_ASSERT_TRUE(apart(0, 1) > 2 * DEMO_RADIUS - 0.03);
   }
   TEST_ASSERT_GREATER_OR_EQUAL_INT(1, world_collisions(w));
 }
@@ -243,8 +243,8 @@ static double to_robot(point at, double direction, point other) {
   const double x = other.x - at.x, y = other.y - at.y;
   const double along = x * cos(direction) + y * sin(direction);
   const double aside = y * cos(direction) - x * sin(direction);
-  if (along <= 0.0 || fabs(aside) >= WORLD_ROBOT_RADIUS) return 1e9;
-  return along - sqrt(WORLD_ROBOT_RADIUS * WORLD_ROBOT_RADIUS - aside * aside);
+  if (along <= 0.0 || fabs(aside) >= DEMO_RADIUS) return 1e9;
+  return along - sqrt(DEMO_RADIUS * DEMO_RADIUS - aside * aside);
 }
 
 /* The physics works out angles to a few thousandths of a radian, which a ray that grazes a wall makes larger. */
@@ -254,7 +254,7 @@ static void assert_rays_in_a_room(double left, double right, double bottom, doub
   world_look(w, 0, range, RAYS);
   for (int ray = 0; ray < RAYS; ray++) {
     const double expected = to_rectangle(self.at, self.heading + TURN * ray / RAYS, left, right, bottom, top);
-    TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(0.01, fmin(expected, WORLD_EYE_RANGE), (double)range[ray], case_note);
+    TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(0.01, fmin(expected, DEMO_EYE_RANGE), (double)range[ray], case_note);
   }
 }
 
@@ -289,7 +289,7 @@ static void test_where_nothing_is_rays_have_their_full_reach(void) {
   float range[RAYS];
   use("...../...../..S../...../....1", 1);
   world_look(w, 0, range, RAYS);
-  for (int ray = 0; ray < RAYS; ray++) TEST_ASSERT_EQUAL_FLOAT(WORLD_EYE_RANGE, range[ray]);
+  for (int ray = 0; ray < RAYS; ray++) TEST_ASSERT_EQUAL_FLOAT(DEMO_EYE_RANGE, range[ray]);
 }
 
 static void test_the_maps_edge_is_seen_as_a_wall(void) {

@@ -123,7 +123,7 @@ static bool take_mark(settings *s, int letter, const char *value) {
 static int take_value(settings *s, int letter, const char *value, fault *why) {
   switch (letter) {
   case PORT: return take_whole("port", value, 0, 65535, &s->port, why);
-  case ROBOTS: return take_whole("robots", value, 1, WORLD_MOST_ROBOTS, &s->robots, why);
+  case ROBOTS: return take_whole("robots", value, 1, DEMO_MOST_ROBOTS, &s->robots, why);
   case RUNS: return take_whole("runs", value, 1, 1000000, &s->runs, why);
   case STRATEGY: return take_strategy(value, &s->strategy, why);
   case SEED: return take_seed(value, &s->seed, why);
@@ -134,7 +134,7 @@ static int take_value(settings *s, int letter, const char *value, fault *why) {
       s->mine = -2;
       return 0;
     }
-    return take_whole("mine", value, 0, MESSAGE_MOST_PLACES - 1, &s->mine, why);
+    return take_whole("mine", value, 0, DEMO_MOST_PLACES - 1, &s->mine, why);
   }
 }
 

@@ -15,10 +15,10 @@ typedef struct {
   ground g;
   live *view;
   int robots;
-  world_pose pose[WORLD_MOST_ROBOTS];
+  world_pose pose[DEMO_MOST_ROBOTS];
   int64_t tick; /* utime of the last pose; below 0: none came */
   message_status last;
-  bool done[WORLD_MOST_ROBOTS];
+  bool done[DEMO_MOST_ROBOTS];
   bool warned; /* of another mission's game */
 } follower;
 

@@ -22,7 +22,7 @@ typedef struct {
   char folder[PATH_MAX]; /* of the programs */
   char table[PATH_MAX];  /* a file of the policy table, for all of them */
   pid_t world;
-  pid_t robot[WORLD_MOST_ROBOTS]; /* 0: it has ended */
+  pid_t robot[DEMO_MOST_ROBOTS]; /* 0: it has ended */
   int robots;
   bool abandoned; /* all robots' processes ended before the world's */
   double since;   /* when they had */

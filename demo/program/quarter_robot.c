@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 
 #include "bus.h"
+#include "host/base/clock.h"
 #include "host/table/table_check.h"
 #include "patience.h"
 #include "printing.h"
@@ -52,12 +52,6 @@ static int complain(const char *what, const char *why) {
 
 /* ---- the bus ---- */
 
-static double now_seconds(void) {
-  struct timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* A world ends without a word. What it leaves is a robot that has stopped, or one that is still on its way. */
 static int judge(void) {
   if (robot_stopped(&self)) return 0;
@@ -70,13 +64,13 @@ static int judge(void) {
 
 /* Until the world is over. The exit status. */
 static int run(bus *b, const words *w) {
-  double last = now_seconds();
+  double last = clock_seconds();
   uint64_t poses = 0;
   robot_init(&self, &policy, w->self, w->clear_all, robot_pilot_of_plan(&seeker), wiring_voice(b));
   wiring_listen(b, &self);
   while (!ended) {
     bus_wait(b, 100);
-    const double now = now_seconds();
+    const double now = clock_seconds();
     if (self.poses != poses) last = now;
     poses = self.poses;
     if (poses == 0 && now - last > PATIENCE_GATHER) {
@@ -111,7 +105,7 @@ static void *read_whole(const char *path, uint32_t *size, const char **why) {
 static int number_of(const char *text) {
   char *end;
   const long number = strtol(text, &end, 10);
-  return end != text && *end == '\0' && number >= 0 && number < MESSAGE_MOST_ROBOTS ? (int)number : -1;
+  return end != text && *end == '\0' && number >= 0 && number < DEMO_MOST_ROBOTS ? (int)number : -1;
 }
 
 static int parse(words *w, int argc, char **argv) {
