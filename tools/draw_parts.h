@@ -3,8 +3,9 @@
 #define QUARTER_TOOLS_DRAW_PARTS_H
 
 #include <stdbool.h>
+#include <stdio.h>
 
-#include "draw_svg.h"
+#include "draw_input.h"
 
 #define DRAW_GROUND "#ffffff"
 #define DRAW_INK "#1f2a36"

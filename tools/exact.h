@@ -3,18 +3,9 @@
 #ifndef QUARTER_TOOLS_EXACT_H
 #define QUARTER_TOOLS_EXACT_H
 
+#include "exact_problem.h"
 #include "host/base/fault.h"
 #include "quarter/mission.h"
-
-typedef struct {
-  double value;                /* discounted value of the optimal routes */
-  double expected_time;        /* steps, of the same routes */
-  int negligible;              /* places that make up less than QTR_NEGLIGIBLE of the objective each:
-                                                      sums that they are lost in do not tell their best order */
-  int length[QTR_MAX_SEEKERS]; /* places on each seeker's route */
-  uint16_t route[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
-  qtr_steps step[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* when */
-} exact_solution;
 
 /* Whether the mission is small enough to be solved: 0, or -1 with *fault set. */
 int exact_check(const qtr_mission *mission, fault *fault);

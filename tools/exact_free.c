@@ -7,11 +7,11 @@
  * - a group of seekers makes of S the best over T within S of what one part of it makes of T and the other of S \ T.
  *   The whole group is asked for the set of all places alone, so two seekers cost 2^h and more cost 3^h.
  */
+#include "exact_free.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "exact_parts.h"
 
 enum { PAIR_PLACES = EXACT_PAIR_PLACES, NODES = PAIR_PLACES + QTR_MAX_SEEKERS, GROUPS = 4 * QTR_MAX_SEEKERS };
 

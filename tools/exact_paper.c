@@ -8,11 +8,11 @@
  * - Idle seekers choose one after another with no time passing: the one at the lowest node first, the starts counting
  *   as nodes after the places, the lower seeker on a tie.
  */
+#include "exact_paper.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "exact_parts.h"
 
 enum { PAPER_PLACES = EXACT_PAPER_PLACES, KEY_WORDS = 1 + QTR_MAX_SEEKERS, OUT = 0xFFFF };
 static const size_t state_limit = 6000000; /* some 20 s, some 300 MB */

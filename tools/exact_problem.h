@@ -1,13 +1,23 @@
-/* What the two exact solvers share: the problem in plain numbers, and nothing of how it is solved. Private to exact*.c. */
-#ifndef QUARTER_TOOLS_EXACT_PARTS_H
-#define QUARTER_TOOLS_EXACT_PARTS_H
+/* What the two exact solvers share: the problem and its solution in plain numbers, and nothing of how one comes to the other. */
+#ifndef QUARTER_TOOLS_EXACT_PROBLEM_H
+#define QUARTER_TOOLS_EXACT_PROBLEM_H
 
 #include <stdbool.h>
 
-#include "exact.h"
+#include "quarter/mission.h"
 
 /* Places that the solvers take: for one or two seekers, for more, and under the paper's rule. */
 enum { EXACT_PAIR_PLACES = 22, EXACT_GROUP_PLACES = 18, EXACT_PAPER_PLACES = 20 };
+
+typedef struct {
+  double value;                /* discounted value of the optimal routes */
+  double expected_time;        /* steps, of the same routes */
+  int negligible;              /* places that make up less than QTR_NEGLIGIBLE of the objective each:
+                                                      sums that they are lost in do not tell their best order */
+  int length[QTR_MAX_SEEKERS]; /* places on each seeker's route */
+  uint16_t route[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
+  qtr_steps step[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* when */
+} exact_solution;
 
 typedef struct {
   int places, seekers, starts; /* starts: distinct start cells, numbered as the seekers first name them */
@@ -26,9 +36,5 @@ double exact_discount(const exact_problem *problem, qtr_steps steps);
 
 /* Reward of a first visit this many steps after the moment that it is discounted to. */
 double exact_reward(const exact_problem *problem, int place, qtr_steps steps);
-
-/* The solvers fill in length, route and step. 0, or -1 with *why set. */
-int exact_solve_free(exact_solution *solution, const exact_problem *problem, fault *why);
-int exact_solve_paper(exact_solution *solution, const exact_problem *problem, fault *why);
 
 #endif

@@ -1,0 +1,11 @@
+/* The free rule solved exactly. */
+#ifndef QUARTER_TOOLS_EXACT_FREE_H
+#define QUARTER_TOOLS_EXACT_FREE_H
+
+#include "exact_problem.h"
+#include "host/base/fault.h"
+
+/* Fills in length, route and step. 0, or -1 with *why set. */
+int exact_solve_free(exact_solution *solution, const exact_problem *problem, fault *why);
+
+#endif
