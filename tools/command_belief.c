@@ -15,7 +15,7 @@
 #include "products.h"
 #include "quarter/status.h"
 
-static const char help[] =
+static const char intro[] =
     "quarter belief mission.yaml --history games.csv -o places.csv      the places' weights, learnt from past games\n"
     "quarter belief mission.yaml --history new.csv --belief b.qtb       the same, kept from one time to the next\n"
     "quarter belief mission.yaml --belief b.qtb                         what a saved belief estimates\n"
@@ -23,25 +23,26 @@ static const char help[] =
     "games.csv has a header and a row for each place where a target was found: 'place' (its number, as this command\n"
     "lists them), 'column,row' or 'x,y'. A column 'found' with 0 tells of a place that was searched in vain, a column\n"
     "'game' which rows are one game; without it every row is one.\n"
-    "\n"
-    "      --history FILE       the games to learn from\n"
-    "      --belief FILE        go on from the belief saved there, if there is one, and save the new one. Games of "
-    "the\n"
-    "                           history are added to those that it holds: give each game once\n"
-    "      --prior FINDS        how many finds the mission's own weights count for (default: half as many as places).\n"
-    "                           Few: the first games decide; many: the weights hold for long\n"
-    "      --keep SHARE         what a find still counts for after one more game (default 1: nothing is forgotten)\n"
-    "      --detection P        how often a search sees a target that is there (default 1); for rows with found 0\n"
-    "  -o, --output FILE        write the places as CSV, for a mission's places_csv; '-' is standard output\n"
-    "      --json[=FILE]        print the estimate as JSON, or write it to FILE\n"
-    "      --cell-size M, --snap METRES     as in 'quarter learn'\n"
-    "      --skip-unreachable   leave out places that are on no free cell; the others keep their numbers\n"
-    "  -q, --quiet              say nothing\n"
-    "\n"
-    "Exit status: 0 done; 2 bad input, nothing written.\n";
+    "\n";
 
-static const option_set set = {
-    "belief", " history belief prior keep detection output json cell-size skip-unreachable snap quiet "};
+static const option_line lines[] = {
+    {"history", NULL, 0},
+    {"belief", NULL, 0},
+    {"prior", NULL, 0},
+    {"keep", NULL, 0},
+    {"detection", NULL, 0},
+    {"output", "write the places as CSV, for a mission's places_csv; '-' is standard output", 0},
+    {"json", "print the estimate as JSON, or write it to FILE", 0},
+    {"cell-size, snap", "as in 'quarter learn'", 39},
+    {"skip-unreachable", "leave out places that are on no free cell; the others keep their numbers", 0},
+    {"quiet", "say nothing", 0},
+    {NULL, NULL, 0},
+};
+
+static const char outro[] = "\n"
+                            "Exit status: 0 done; 2 bad input, nothing written.\n";
+
+static const option_set set = {"belief", intro, outro, option_records, lines};
 
 /* All that is read and worked out. */
 typedef struct {
@@ -271,7 +272,7 @@ int command_belief(int argc, char **argv) {
   static options o;
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
-  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (o.help) return option_help(stdout, &set);
   memset(&estimated, 0, sizeof estimated);
   estimated.o = &o;
   if (o.belief != NULL && strcmp(o.belief, "-") == 0) {

@@ -19,7 +19,7 @@
 #include "quarter/spots.h"
 #include "quarter/status.h"
 
-static const char help[] =
+static const char intro[] =
     "quarter draw mission.qtr -o mission.svg            the map, the places, each seeker's territory and route\n"
     "quarter draw mission.yaml -o map.svg               the map, places and starts alone, before learning\n"
     "quarter draw map.txt --regions -o regions.svg      the regions that the map divides into\n"
@@ -28,22 +28,25 @@ static const char help[] =
     "Places are sized by likelihood and bear their numbers; beside them stands which of its seeker's visits each is "
     "(1st,\n"
     "2nd, ...), where there is room, and a browser shows it on pointing at the place. '-o -' is standard output.\n"
-    "\n"
-    "  -o, --output FILE        the SVG picture (required)\n"
-    "      --robots K, --cell-size M, --skip-unreachable, --snap METRES     as in 'quarter learn', for inputs\n"
-    "      --regions            draw the borders of the map's regions\n"
-    "      --region-size N --region-diameter D     cells of a region, and steps between any two (default 25, 15)\n"
-    "      --region-likelihood W                   as in 'quarter learn'\n"
-    "      --spots              mark the places of each hiding spot alike, for inputs\n"
-    "      --spot-size N --spot-diameter D --spot-likelihood W     as in 'quarter learn'\n"
-    "      --json[=FILE]        what was drawn, in figures\n"
-    "  -q, --quiet              say nothing\n"
-    "\n"
-    "Exit status: 0 done; 2 bad input, nothing written.\n";
+    "\n";
 
-static const option_set set = {"draw",
-                               " output json quiet robots cell-size skip-unreachable snap regions region-size"
-                               " region-diameter region-likelihood spots spot-size spot-diameter spot-likelihood "};
+static const option_line lines[] = {
+    {"output", "the SVG picture (required)", 0},
+    {"robots, cell-size, skip-unreachable, snap", "as in 'quarter learn', for inputs", 71},
+    {"regions", NULL, 0},
+    {"region-size region-diameter", "cells of a region, and steps between any two (default %s, %s)", 46},
+    {"region-likelihood", "as in 'quarter learn'", 46},
+    {"spots", NULL, 0},
+    {"spot-size spot-diameter spot-likelihood", "as in 'quarter learn'", 62},
+    {"json", "what was drawn, in figures", 0},
+    {"quiet", "say nothing", 0},
+    {NULL, NULL, 0},
+};
+
+static const char outro[] = "\n"
+                            "Exit status: 0 done; 2 bad input, nothing written.\n";
+
+static const option_set set = {"draw", intro, outro, option_records, lines};
 
 #define LINES_MOST 8
 #define LINE_SIZE 96
@@ -325,7 +328,7 @@ int command_draw(int argc, char **argv) {
   static options o;
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
-  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (o.help) return option_help(stdout, &set);
   const int status = draw(&o, &why);
   free_sheet(&picture);
   return status == 0 ? EXIT_SUCCESS : fault_exit(&why);

@@ -10,30 +10,26 @@
 #include "prepare.h"
 #include "report.h"
 
-static const char help[] =
+static const char intro[] =
     "quarter exact minefield.txt --robots 2             the exact optimum, to check a certificate against\n"
     "quarter exact mission.yaml --objective time --json\n"
     "\n"
     "Dynamic programming over the subsets of the places, with transitions of its own: it shares nothing with the "
     "learner\n"
     "but the grid and the travel times. Up to 22 places for one or two robots, 18 for more.\n"
-    "\n"
-    "      --robots K           K robots, where the input has one start\n"
-    "      --objective WHAT     discounted (maximise w P gamma^(t-1), the default) or time (least expected time)\n"
-    "      --gamma G            discount a step, above 0 and below 1 (default 0.99)\n"
-    "      --rule RULE          free (robots may stand down, the default) or paper (Table 1: they must choose)\n"
-    "      --cell-size M        metres a cell, for ROS maps\n"
-    "      --skip-unreachable   leave out places that no robot can reach, or that are on no free cell\n"
-    "      --snap METRES        move robots and places that are on no free cell to the nearest one, as far as this "
-    "(cells, "
-    "on a\n"
-    "                           map without metres); a place takes a cell that no other place has\n"
-    "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
-    "  -q, --quiet              no report but JSON\n"
-    "\n"
-    "Exit status: 0 done; 2 bad input, or more places than this takes.\n";
+    "\n";
 
-static const option_set set = {"exact", " json quiet robots objective rule gamma cell-size skip-unreachable snap "};
+static const option_line lines[] = {
+    {"robots", NULL, 0}, {"objective", NULL, 0}, {"gamma", NULL, 0},
+    {"rule", NULL, 0},   {"cell-size", NULL, 0}, {"skip-unreachable", NULL, 0},
+    {"snap", NULL, 0},   {"json", NULL, 0},      {"quiet", "no report but JSON", 0},
+    {NULL, NULL, 0},
+};
+
+static const char outro[] = "\n"
+                            "Exit status: 0 done; 2 bad input, or more places than this takes.\n";
+
+static const option_set set = {"exact", intro, outro, option_records, lines};
 
 static problem *solved;
 
@@ -94,6 +90,6 @@ int command_exact(int argc, char **argv) {
   static report r;
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
-  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (o.help) return option_help(stdout, &set);
   return solve(&o, &r, &why) == 0 ? EXIT_SUCCESS : fault_exit(&why);
 }

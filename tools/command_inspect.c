@@ -5,23 +5,29 @@
 #include "commands.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
+#include "host/input/words.h"
 #include "host/table/table.h"
 #include "print.h"
 #include "products.h"
 #include "report.h"
 
-static const char help[] =
+static const char intro[] =
     "quarter inspect mission.qtr                        what a policy table holds: map, certificate, routes\n"
     "quarter inspect mission.qtr --json\n"
     "\n"
     "The table is opened as a robot opens it, checksum and self-test included.\n"
-    "\n"
-    "      --json[=FILE]        print it as JSON, or write it to FILE\n"
-    "  -q, --quiet              say nothing: the exit status tells whether the table is sound\n"
-    "\n"
-    "Exit status: 0 a sound table; 2 not one.\n";
+    "\n";
 
-static const option_set set = {"inspect", " json quiet "};
+static const option_line lines[] = {
+    {"json", "print it as JSON, or write it to FILE", 0},
+    {"quiet", "say nothing: the exit status tells whether the table is sound", 0},
+    {NULL, NULL, 0},
+};
+
+static const char outro[] = "\n"
+                            "Exit status: 0 a sound table; 2 not one.\n";
+
+static const option_set set = {"inspect", intro, outro, option_records, lines};
 
 /* The shortest decimal that a table's weights, of 32 bits, do not tell from the likelihood: 0.4, not 0.39999999981. */
 static double told_probability(const table *t, unsigned place) {
@@ -98,9 +104,9 @@ static void write_json(FILE *out, const void *what) {
   }
   json_integer(&j, "places", t->policy.board.places);
   json_integer(&j, "robots", t->policy.board.seekers);
-  json_string(&j, "objective", c.by_time ? "time" : "discounted");
+  json_string(&j, "objective", words_objective[c.by_time ? QTR_TIME : QTR_DISCOUNTED]);
   json_number(&j, "gamma", c.gamma);
-  json_string(&j, "rule", t->policy.board.rule == QTR_RULE_PAPER ? "paper" : "free");
+  json_string(&j, "rule", words_rule[t->policy.board.rule]);
   json_number(&j, "value", c.value);
   json_number(&j, "expected_time", c.expected_time);
   json_number(&j, "objective_value", c.by_time ? c.expected_time : c.value);
@@ -124,8 +130,7 @@ static void write_text(FILE *out, const void *what) {
           counted(t->bytes.size, "byte").text, c.version[0], c.version[1], c.version[2], c.seed);
   fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->policy.grid.columns, t->policy.grid.rows,
           counted(t->policy.board.places, "place").text, counted(t->policy.board.seekers, "robot").text,
-          t->policy.board.rule == QTR_RULE_PAPER ? "paper" : "free",
-          c.by_time ? "least expected time" : "discounted value");
+          words_rule[t->policy.board.rule], c.by_time ? "least expected time" : "discounted value");
   fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %s; bound %.6g, gap %.3g%%\n",
           c.certified ? "certified" : "not certified", c.value, c.gamma, measured(c.expected_time, "step").text,
           c.bound, 100.0 * c.gap);
@@ -138,7 +143,7 @@ int command_inspect(int argc, char **argv) {
   static inspection i = {.o = &o};
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
-  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (o.help) return option_help(stdout, &set);
   if (table_read(&i.t, o.input, &why) != 0 || products_check(&o, &why) != 0) return fault_exit(&why);
   table_routes(&i.t, i.routes);
   const int status = print_report(&o, write_json, write_text, &i, &why);

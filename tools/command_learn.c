@@ -13,7 +13,7 @@
 #include "quarter/status.h"
 #include "report.h"
 
-static const char help[] =
+static const char intro[] =
     "quarter learn minefield.txt --robots 2             learn who visits what, print the certificate\n"
     "quarter learn mission.yaml -o mission.qtr          and write the policy table for the robots\n"
     "quarter learn mission.yaml --c mission_policy.c    the same as a C array for firmware\n"
@@ -22,62 +22,51 @@ static const char help[] =
     "INPUT is a drawing (.txt), a mission (.yaml), or a map that has places. Ctrl-C ends the search and still writes "
     "the\n"
     "best policy found.\n"
-    "\n"
-    "  -o, --output FILE        write the policy table; '-' is standard output\n"
-    "      --c FILE             write it as C source\n"
-    "      --robots K           K robots, where the input has one start\n"
-    "      --objective WHAT     discounted (maximise w P gamma^(t-1), the default) or time (least expected time)\n"
-    "      --gamma G            discount a step, above 0 and below 1 (default 0.99)\n"
-    "      --rule RULE          free (robots may stand down, the default) or paper (Table 1: they must choose)\n"
-    "      --cell-size M        metres a cell, for ROS maps\n"
-    "      --skip-unreachable   leave out places that no robot can reach, or that are on no free cell\n"
-    "      --snap METRES        move robots and places that are on no free cell to the nearest one, as far as this "
-    "(cells, "
-    "on a\n"
-    "                           map without metres); a place takes a cell that no other place has\n"
-    "      --gap X              stop within this relative gap of the optimum (default 1e-5; the paper setting, with "
-    "0,\n"
-    "                           learns on until something else ends it)\n"
-    "      --time-limit S       stop after this many seconds, reading and travel times included (with --starts or "
-    "--cleared\n"
-    "                           any the mission's own plan gets half of them)\n"
-    "      --episodes N         stop after this many games\n"
-    "      --seed N             of random choices (default 1): how the paper setting explores, how local search on "
-    "the\n"
-    "                           first plans shakes; what is certified holds with every seed\n"
-    "      --learner SETTING    certified (the default) or paper: Q from 0, exploring, as the paper learns\n"
-    "      --explore PLAN       paper setting: KIND:FIRST:LAST:DECAY, KIND being uniform, epsilon or softmax; the "
-    "rate\n"
-    "                           (epsilon, or softmax's temperature) is DECAYed every game (default epsilon:0.3:0.3:1)\n"
-    "      --alpha A            paper setting: learning rate, above 0 up to 1 (default 1)\n"
-    "      --aggregate WHAT     none (the default), spots, and in the paper setting regions or both: learn on an "
-    "aggregate;\n"
-    "                           what is reported is what the policy earns on the true map\n"
-    "      --spot-size N --spot-diameter D     places of a spot, and steps between any two of them (default 5, 25)\n"
-    "      --spot-order ORDER   inside a spot: best (the default) or nearest first\n"
-    "      --spot-likelihood W  0 (the default) or more: likely places keep away from unlikely ones\n"
-    "      --region-size N --region-diameter D cells of a region, and steps between any two of them (default 25, 15)\n"
-    "      --region-likelihood W               as --spot-likelihood, for the places of a region\n"
-    "      --region-times WHAT  representative (the default) or true: the paper's first, oscillating way, to show it\n"
-    "      --starts any         one table for starts in any region of the map: seekers are put elsewhere at run time\n"
-    "      --cleared any        one table for any set of places cleared beforehand: a mission resumed\n"
-    "      --table-limit MB     refuse to make a larger table (default 4)\n"
-    "      --curve FILE         write MaxQ, the best value, the bound and the Q entries, game by game, as CSV\n"
-    "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
-    "  -q, --quiet              no progress, no report but JSON\n"
+    "\n";
+
+static const option_line lines[] = {
+    {"output", NULL, 0},
+    {"c", NULL, 0},
+    {"robots", NULL, 0},
+    {"objective", NULL, 0},
+    {"gamma", NULL, 0},
+    {"rule", NULL, 0},
+    {"cell-size", NULL, 0},
+    {"skip-unreachable", NULL, 0},
+    {"snap", NULL, 0},
+    {"gap", NULL, 0},
+    {"time-limit", NULL, 0},
+    {"episodes", NULL, 0},
+    {"seed", NULL, 0},
+    {"learner", NULL, 0},
+    {"explore", NULL, 0},
+    {"alpha", NULL, 0},
+    {"aggregate", NULL, 0},
+    {"spot-size spot-diameter", "places of a spot, and steps between any two of them (default %s, %s)", 42},
+    {"spot-order", NULL, 0},
+    {"spot-likelihood", NULL, 0},
+    {"region-size region-diameter", "cells of a region, and steps between any two of them (default %s, %s)", 42},
+    {"region-likelihood", NULL, 42},
+    {"region-times", NULL, 0},
+    {"starts", NULL, 0},
+    {"cleared", NULL, 0},
+    {"table-limit", NULL, 0},
+    {"curve", NULL, 0},
+    {"json", NULL, 0},
+    {"quiet", NULL, 0},
+    {NULL, NULL, 0},
+};
+
+static const char outro[] =
     "\n"
     "Exit status: 0 done, certified or not; 2 bad input, nothing written; 3 ended by the limit or a signal before "
     "there\n"
     "was a first plan, nothing written; 130 (143) ended by Ctrl-C (SIGTERM), best policy written.\n";
 
+static const option_set set = {"learn", intro, outro, option_records, lines};
+
 /* Of the time limit, where other starts than the mission's take the rest of it. */
 #define SEARCH_SHARE 0.5
-
-static const option_set set = {
-    "learn", " output c curve json quiet robots objective rule gamma cell-size skip-unreachable snap gap"
-             " time-limit episodes seed learner explore alpha aggregate region-size region-diameter"
-             " region-likelihood region-times"
-             " spot-size spot-diameter spot-order spot-likelihood starts cleared table-limit "};
 
 static study *learnt;
 
@@ -193,7 +182,7 @@ int command_learn(int argc, char **argv) {
   static report r;
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
-  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (o.help) return option_help(stdout, &set);
   stop_begin();
   if (learn(&o, &r, &why) != 0) return fault_exit(&why);
   return stop_signal() != 0 ? 128 + stop_signal() : EXIT_SUCCESS;

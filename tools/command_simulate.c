@@ -10,7 +10,7 @@
 #include "products.h"
 #include "quarter/status.h"
 
-static const char help[] =
+static const char intro[] =
     "quarter simulate mission.qtr                       robots walk the grid, each by its own copy of the table\n"
     "quarter simulate mission.qtr --target 3            the target is at place 3: when is it found?\n"
     "quarter simulate mission.qtr --lost 1@40           robot 1 is lost at step 40: the others take its places over\n"
@@ -19,28 +19,26 @@ static const char help[] =
     "again\n"
     "\n"
     "Nothing passes between the robots but the termination signals FOUND and TERRITORY_DONE.\n"
-    "\n"
-    "      --target PLACE       where the target is; its finder stops everyone\n"
-    "      --clear-all          go on after the find, until every territory is done\n"
-    "      --late SEEKER:+STEPS or SEEKER:xFACTOR   may be given several times\n"
-    "      --lost SEEKER@STEP   may be given several times\n"
-    "      --from COLUMN,ROW    where a seeker starts, given once for each: a table made with --starts any takes any "
-    "cell\n"
-    "      --clear PLACE,...    places cleared beforehand, as every robot knows\n"
-    "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
-    "  -q, --quiet              no report but JSON\n"
+    "\n";
+
+static const option_line lines[] = {
+    {"target", NULL, 0}, {"clear-all", NULL, 0}, {"late", NULL, 47}, {"lost", NULL, 0},
+    {"from", NULL, 0},   {"clear", NULL, 0},     {"json", NULL, 0},  {"quiet", "no report but JSON", 0},
+    {NULL, NULL, 0},
+};
+
+static const char outro[] =
     "\n"
     "In JSON: visits are each place's first one; duplicates counts the later ones; value and expected_time are what "
     "the\n"
     "first visits earn (expected_time null if a place was left).\n"
     "Places have the table's numbers: the input's, but where --skip-unreachable left some out; then 'quarter learn' "
-    "prints "
-    "which\n"
+    "prints which\n"
     "is which.\n"
     "\n"
     "Exit status: 0 found, or all places visited; 2 bad input; 4 places were left unvisited and no target was found.\n";
 
-static const option_set set = {"simulate", " json quiet late lost target clear-all from clear "};
+static const option_set set = {"simulate", intro, outro, option_records, lines};
 
 /* What a report is made of. */
 typedef struct {
@@ -158,7 +156,7 @@ int command_simulate(int argc, char **argv) {
   static account a = {.o = &o};
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
-  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (o.help) return option_help(stdout, &set);
   if (table_read(&a.t, o.input, &why) != 0) return fault_exit(&why);
   const int status = simulate(&a, &why);
   const bool left = a.s.found_step == QTR_NEVER && count_left(&a) > 0;

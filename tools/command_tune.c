@@ -7,12 +7,13 @@
 #include "host/base/json.h"
 #include "host/base/memory.h"
 #include "host/base/stop.h"
+#include "host/input/words.h"
 #include "host/plan/progress.h"
 #include "host/plan/study.h"
 #include "prepare.h"
 #include "print.h"
 
-static const char help[] =
+static const char intro[] =
     "quarter tune mission.yaml                          which spots lose least on the ground?\n"
     "quarter tune mission.yaml --budget-entries 200     with a Q-table of at most 200 entries\n"
     "quarter tune mission.yaml --learner paper --episodes 20000 --budget-entries 5000\n"
@@ -22,23 +23,27 @@ static const char help[] =
     "9 and 25 cells, learns each, and measures what its policy earns on the ground against the bound of the true\n"
     "problem, which the certified setting works out first. The best comes first; its options are printed as\n"
     "'quarter learn' takes them.\n"
-    "\n"
-    "      --budget-entries N   leave out what needs more Q entries\n"
-    "      --episodes N         games for each try (default 2000)\n"
-    "      --time-limit S       end with what has been tried after this many seconds\n"
-    "      --learner SETTING, --explore PLAN, --alpha A, --seed N, --robots K, --objective WHAT, --gamma G, --rule "
-    "RULE,\n"
-    "      --cell-size M, --skip-unreachable, --snap METRES     as in 'quarter learn'\n"
-    "      --json[=FILE]        print the report as JSON, or write it to FILE\n"
-    "  -q, --quiet              no progress, no report but JSON\n"
+    "\n";
+
+static const option_line lines[] = {
+    {"budget-entries", NULL, 0},
+    {"episodes", "games for each try (default 2000)", 0},
+    {"time-limit", "end with what has been tried after this many seconds", 0},
+    {"learner, explore, alpha, seed, robots, objective, gamma, rule,\n"
+     "cell-size, skip-unreachable, snap",
+     "as in 'quarter learn'", 59},
+    {"json", NULL, 0},
+    {"quiet", NULL, 0},
+    {NULL, NULL, 0},
+};
+
+static const char outro[] =
     "\n"
     "Exit status: 0 done; 2 bad input, or nothing that fits the budget; 3 ended by the limit or a signal before the "
     "first\n"
     "plan, nothing written; 130 (143) ended by Ctrl-C (SIGTERM), what was tried until then is reported.\n";
 
-static const option_set set = {
-    "tune", " json quiet robots objective rule gamma cell-size skip-unreachable snap time-limit episodes seed learner"
-            " explore alpha budget-entries "};
+static const option_set set = {"tune", intro, outro, option_records, lines};
 
 #define TRIES_MOST 512
 #define DIAMETERS 6
@@ -207,13 +212,12 @@ static int tune(const options *o, fault *why) {
 /* ---- the report ---- */
 
 static void write_options(FILE *out, const try *t) {
-  static const char *const aggregate[] = {"none", "regions", "spots", "both"};
-  fprintf(out, "--aggregate %s", aggregate[(t->how.by_regions ? 1 : 0) + (t->how.by_spots ? 2 : 0)]);
+  fprintf(out, "--aggregate %s", words_aggregate[(t->how.by_regions ? 1 : 0) + (t->how.by_spots ? 2 : 0)]);
   if (t->how.by_regions)
     fprintf(out, " --region-size %d --region-diameter %d", t->how.region_size, t->how.region_diameter);
   if (!t->how.by_spots) return;
   fprintf(out, " --spot-size %d --spot-diameter %d --spot-order %s", t->how.spot_size, t->how.spot_diameter,
-          t->how.spot_order == QTR_SPOT_NEAREST ? "nearest" : "best");
+          words_spot_order[t->how.spot_order]);
   if (t->how.spot_likelihood > 0.0) fprintf(out, " --spot-likelihood %g", t->how.spot_likelihood);
 }
 
@@ -311,7 +315,7 @@ static void write_json(FILE *out, const void *what) {
     json_integer(&j, "region_diameter", t->how.by_regions ? t->how.region_diameter : 0);
     json_integer(&j, "spot_size", t->how.by_spots ? t->how.spot_size : 0);
     json_integer(&j, "spot_diameter", t->how.by_spots ? t->how.spot_diameter : 0);
-    json_string(&j, "spot_order", t->how.spot_order == QTR_SPOT_NEAREST ? "nearest" : "best");
+    json_string(&j, "spot_order", words_spot_order[t->how.spot_order]);
     json_number(&j, "spot_likelihood", t->how.spot_likelihood);
     json_end_object(&j);
   }
@@ -324,7 +328,7 @@ int command_tune(int argc, char **argv) {
   static options o;
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
-  if (o.help) return fputs(help, stdout) < 0 ? EXIT_BAD_INPUT : EXIT_SUCCESS;
+  if (o.help) return option_help(stdout, &set);
   stop_begin();
   if (tune(&o, &why) != 0 || print_report(&o, write_json, write_text, &o, &why) != 0) return fault_exit(&why);
   return stop_signal() != 0 ? 128 + stop_signal() : EXIT_SUCCESS;

@@ -1,160 +1,42 @@
 #include "options.h"
 
-#include <errno.h>
 #include <getopt.h>
-#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "host/base/refusal.h"
-#include "quarter/joint.h"
-#include "quarter/mission.h"
+#include "host/input/words.h"
+#include "quarter/regions.h"
+#include "quarter/spots.h"
 
-/* One row an option: how it is spelt, and how its value is taken. */
-typedef struct {
-  const char *name;
-  int argument; /* as in struct option */
-  int letter;   /* its short form, or 0 */
-  int (*take)(options *o, const char *name, const char *value, fault *why);
-} option_row;
+/* ---- options that take their values themselves ---- */
 
-/* ---- numbers ---- */
-
-static int take_number(double *number, const char *name, const char *value, const char *range, double least,
-                       double most, fault *why) {
-  char *end;
-  errno = 0;
-  *number = strtod(value, &end);
-  if (end == value || *end != '\0' || !(*number >= least && *number <= most) || errno == ERANGE)
-    return fault_set(why, "--%s %s: not a number %s", name, value, range);
-  return 0;
-}
-
-static int take_count(uint64_t *count, const char *name, const char *value, uint64_t least, uint64_t most, fault *why) {
-  char *end;
-  errno = 0;
-  *count = strtoull(value, &end, 10);
-  if (value[0] < '0' || value[0] > '9' || *end != '\0' || errno == ERANGE || *count < least || *count > most)
-    return fault_set(why, "--%s %s: not a whole number from %llu to %llu", name, value, (unsigned long long)least,
-                     (unsigned long long)most);
-  return 0;
-}
-
-static int take_int(int *number, const char *name, const char *value, int least, int most, fault *why) {
-  uint64_t count;
-  if (take_count(&count, name, value, (uint64_t)least, (uint64_t)most, why) != 0) return -1;
-  *number = (int)count;
-  return 0;
-}
-
-static int take_word(int *number, const char *name, const char *value, const char *zero, const char *one, fault *why) {
-  if (strcmp(value, zero) != 0 && strcmp(value, one) != 0)
-    return fault_set(why, "--%s %s: say %s or %s", name, value, zero, one);
-  *number = strcmp(value, one) == 0;
-  return 0;
-}
-
-/* ---- one function an option ---- */
-
-static int take_output(options *o, const char *name, const char *value, fault *why) {
-  if (value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", name);
-  o->output = value;
-  return 0;
-}
-
-static int take_c(options *o, const char *name, const char *value, fault *why) {
-  if (value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", name);
-  o->c_output = value;
-  return 0;
-}
-
-static int take_curve(options *o, const char *name, const char *value, fault *why) {
-  if (value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", name);
-  o->curve = value;
-  return 0;
-}
-
-static int take_json(options *o, const char *name, const char *value, fault *why) {
-  if (value != NULL && value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", name);
+static int take_json(void *settings, const option_record *record, const char *value, fault *why) {
+  options *o = settings;
+  if (value != NULL && value[0] == '\0') return fault_set(why, "--%s: the name of the file is empty", record->name);
   o->json = true;
   o->json_path = value;
   return 0;
 }
 
-static int take_quiet(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)value;
-  (void)why;
-  o->quiet = true;
-  return 0;
-}
-
-static int take_help(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)value;
-  (void)why;
-  o->help = true;
-  return 0;
-}
-
-static int take_robots(options *o, const char *name, const char *value, fault *why) {
+static int take_robots(void *settings, const option_record *record, const char *value, fault *why) {
+  options *o = settings;
   uint64_t count;
-  if (take_count(&count, name, value, 1, 1000000, why) != 0) return -1;
+  if (option_count(&count, record->name, value, 1, 1000000, why) != 0) return -1;
   if (count > QTR_MAX_SEEKERS)
-    return fault_set(why, "--%s %s: this build holds %d seekers; rebuild with a larger QTR_MAX_SEEKERS", name, value,
-                     QTR_MAX_SEEKERS);
+    return fault_set(why, "--%s %s: this build holds %d seekers; rebuild with a larger QTR_MAX_SEEKERS", record->name,
+                     value, QTR_MAX_SEEKERS);
   o->plan.reading.robots = (int)count;
   return 0;
 }
 
-static int take_objective(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->plan.objective, name, value, "discounted", "time", why);
-}
-
-static int take_rule(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->plan.rule, name, value, "free", "paper", why);
-}
-
-static int take_gamma(options *o, const char *name, const char *value, fault *why) {
-  if (take_number(&o->plan.gamma, name, value, "above 0 and below 1", 0.0, 1.0, why) != 0) return -1;
-  if (o->plan.gamma <= 0.0 || o->plan.gamma >= 1.0)
-    return fault_set(why, "--%s %s: not a number above 0 and below 1", name, value);
-  return 0;
-}
-
-static int take_cell_size(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->plan.reading.cell_size, name, value, "of metres, from 0.001 to 1000", 1e-3, 1e3, why);
-}
-
-static int take_skip_unreachable(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)value;
-  (void)why;
-  o->plan.reading.skip = true;
-  return 0;
-}
-
-static int take_snap(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->plan.reading.snap, name, value, "of metres (of cells, on a map without metres), from 0 to 1e6",
-                     0.0, 1e6, why);
-}
-
-static int take_learner(options *o, const char *name, const char *value, fault *why) {
-  int setting = 0;
-  if (take_word(&setting, name, value, "certified", "paper", why) != 0) return -1;
-  o->plan.learner.setting = (uint8_t)setting;
-  return 0;
-}
-
 /* KIND[:FIRST[:LAST[:DECAY]]] */
-static int take_explore(options *o, const char *name, const char *value, fault *why) {
-  static const char *const kinds[] = {"uniform", "epsilon", "softmax"};
+static int take_explore(void *settings, const option_record *record, const char *value, fault *why) {
+  options *o = settings;
   qtr_exploration_plan *plan = &o->plan.learner.exploration;
+  const char *name = record->name;
   const size_t length = strcspn(value, ":");
-  int kind = 0;
-  while (kind < 3 && (strlen(kinds[kind]) != length || strncmp(kinds[kind], value, length) != 0)) kind++;
-  if (kind == 3) return fault_set(why, "--%s %s: say uniform, epsilon or softmax", name, value);
+  int kind;
+  if (option_word(&kind, name, value, length, words_exploration, why) != 0) return -1;
   plan->kind = (uint8_t)kind;
   const char *rates = value[length] == ':' ? value + length + 1 : NULL;
   int taken = 0;
@@ -169,315 +51,289 @@ static int take_explore(options *o, const char *name, const char *value, fault *
   return 0;
 }
 
-static int take_alpha(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->plan.learner.alpha, name, value, "above 0 up to 1", 1e-9, 1.0, why);
-}
-
-static int take_aggregate(options *o, const char *name, const char *value, fault *why) {
-  static const char *const words[] = {"none", "regions", "spots", "both"};
-  for (int i = 0; i < 4; i++) {
-    if (strcmp(value, words[i]) != 0) continue;
-    o->plan.aggregation.by_regions = (i & 1) != 0;
-    o->plan.aggregation.by_spots = (i & 2) != 0;
-    return 0;
-  }
-  return fault_set(why, "--%s %s: say none, regions, spots or both", name, value);
-}
-
-static int take_region_size(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->plan.aggregation.region_size, name, value, 1, QTR_MAX_REGION_SIZE, why);
-}
-
-static int take_region_diameter(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->plan.aggregation.region_diameter, name, value, 1, QTR_MAX_REGION_DIAMETER, why);
-}
-
-static int take_region_likelihood(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->plan.aggregation.region_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
-}
-
-static int take_region_times(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->plan.aggregation.region_times, name, value, "representative", "true", why);
-}
-
-static int take_spot_size(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->plan.aggregation.spot_size, name, value, 1, QTR_MAX_SPOT_SIZE, why);
-}
-
-static int take_spot_diameter(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->plan.aggregation.spot_diameter, name, value, 1, 1000000000, why);
-}
-
-static int take_spot_order(options *o, const char *name, const char *value, fault *why) {
-  return take_word(&o->plan.aggregation.spot_order, name, value, "best", "nearest", why);
-}
-
-static int take_spot_likelihood(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->plan.aggregation.spot_likelihood, name, value, "from 0 to 1000", 0.0, 1000.0, why);
-}
-
-static int take_starts(options *o, const char *name, const char *value, fault *why) {
-  int any = 0;
-  if (take_word(&any, name, value, "mission", "any", why) != 0) return -1;
-  o->plan.any_starts = any != 0;
+static int take_aggregate(void *settings, const option_record *record, const char *value, fault *why) {
+  options *o = settings;
+  int index;
+  if (option_word(&index, record->name, value, strlen(value), words_aggregate, why) != 0) return -1;
+  o->plan.aggregation.by_regions = (index & 1) != 0;
+  o->plan.aggregation.by_spots = (index & 2) != 0;
   return 0;
 }
 
-static int take_cleared(options *o, const char *name, const char *value, fault *why) {
-  int any = 0;
-  if (take_word(&any, name, value, "none", "any", why) != 0) return -1;
-  o->plan.any_cleared = any != 0;
+/* The seeker before a mark that has just been found in `value`. */
+static int take_seeker(int *seeker, const char *name, const char *value, const char *mark, fault *why) {
+  char word[32];
+  uint64_t number;
+  snprintf(word, sizeof word, "%.*s", (int)(mark - value), value);
+  if (option_count(&number, name, word, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
+  *seeker = (int)number;
   return 0;
 }
 
-static int take_table_limit(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->plan.table_limit, name, value, "of megabytes, from 0.001 to 1000", 1e-3, 1e3, why);
+static bool splits(const char *value, const char *mark) {
+  return mark != NULL && mark != value && mark - value < 32;
 }
 
-static int take_budget_entries(options *o, const char *name, const char *value, fault *why) {
-  return take_count(&o->budget_entries, name, value, 1, UINT64_MAX - 1, why);
-}
-
-static int take_gap(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->plan.learner.gap, name, value, "from 0 to 1 (0.01 is one per cent)", 0.0, 1.0, why);
-}
-
-static int take_time_limit(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->time_limit, name, value, "of seconds, from 0.001 to 1e7", 1e-3, 1e7, why);
-}
-
-static int take_episodes(options *o, const char *name, const char *value, fault *why) {
-  return take_count(&o->episodes, name, value, 1, UINT64_MAX - 1, why);
-}
-
-static int take_seed(options *o, const char *name, const char *value, fault *why) {
-  return take_count(&o->plan.learner.seed, name, value, 0, UINT64_MAX - 1, why);
+static int too_many(const char *name, fault *why) {
+  return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
 }
 
 /* SEEKER:+STEPS or SEEKER:xFACTOR */
-static int take_late(options *o, const char *name, const char *value, fault *why) {
-  if (o->game.lates == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
-  simulation_late *late = &o->game.late[o->game.lates];
-  char seeker[32];
-  const char *colon = strchr(value, ':');
-  if (colon == NULL || colon == value || (size_t)(colon - value) >= sizeof seeker ||
-      (colon[1] != '+' && colon[1] != 'x'))
+static int take_late(void *settings, const option_record *record, const char *value, fault *why) {
+  options *o = settings;
+  const char *name = record->name, *colon = strchr(value, ':');
+  if (o->game.lates == QTR_MAX_SEEKERS) return too_many(name, why);
+  if (!splits(value, colon) || (colon[1] != '+' && colon[1] != 'x'))
     return fault_set(why, "--%s %s: say SEEKER:+STEPS or SEEKER:xFACTOR, as 1:+30 or 1:x2.5", name, value);
-  snprintf(seeker, sizeof seeker, "%.*s", (int)(colon - value), value);
-  late->wait = 0;
-  late->factor = 1.0;
-  if (take_int(&late->seeker, name, seeker, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
+  simulation_late *late = &o->game.late[o->game.lates];
+  *late = (simulation_late){0, 0, 1.0};
+  if (take_seeker(&late->seeker, name, value, colon, why) != 0) return -1;
   o->game.lates++;
   if (colon[1] == 'x')
-    return take_number(&late->factor, name, colon + 2, "from 1 to 1000 after the x", 1.0, 1000.0, why);
+    return option_number(&late->factor, name, colon + 2, "from 1 to 1000 after the x", 1.0, 1000.0, why);
   uint64_t wait;
-  if (take_count(&wait, name, colon + 2, 0, 1000000000, why) != 0) return -1;
+  if (option_count(&wait, name, colon + 2, 0, 1000000000, why) != 0) return -1;
   late->wait = (uint32_t)wait;
   return 0;
 }
 
 /* SEEKER@STEP */
-static int take_lost(options *o, const char *name, const char *value, fault *why) {
-  if (o->game.losts == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
-  simulation_lost *lost = &o->game.lost[o->game.losts];
-  char seeker[32];
+static int take_lost(void *settings, const option_record *record, const char *value, fault *why) {
+  options *o = settings;
+  const char *name = record->name, *at = strchr(value, '@');
   uint64_t step;
-  const char *at = strchr(value, '@');
-  if (at == NULL || at == value || (size_t)(at - value) >= sizeof seeker)
-    return fault_set(why, "--%s %s: say SEEKER@STEP, as 1@40", name, value);
-  snprintf(seeker, sizeof seeker, "%.*s", (int)(at - value), value);
-  if (take_int(&lost->seeker, name, seeker, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
-  if (take_count(&step, name, at + 1, 0, 4000000000u, why) != 0) return -1;
+  if (o->game.losts == QTR_MAX_SEEKERS) return too_many(name, why);
+  if (!splits(value, at)) return fault_set(why, "--%s %s: say SEEKER@STEP, as 1@40", name, value);
+  simulation_lost *lost = &o->game.lost[o->game.losts];
+  if (take_seeker(&lost->seeker, name, value, at, why) != 0) return -1;
+  if (option_count(&step, name, at + 1, 0, 4000000000u, why) != 0) return -1;
   lost->step = (uint32_t)step;
   o->game.losts++;
   return 0;
 }
 
 /* COLUMN,ROW */
-static int take_from(options *o, const char *name, const char *value, fault *why) {
+static int take_from(void *settings, const option_record *record, const char *value, fault *why) {
+  options *o = settings;
   int taken = 0;
-  if (o->game.froms == QTR_MAX_SEEKERS) return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
-  const int fields =
-      sscanf(value, "%6d,%6d%n", &o->game.from[o->game.froms].column, &o->game.from[o->game.froms].row, &taken);
-  if (fields != 2 || value[taken] != '\0' || o->game.from[o->game.froms].column < 0 ||
-      o->game.from[o->game.froms].row < 0)
-    return fault_set(why, "--%s %s: say COLUMN,ROW, counted from 0 at the top left", name, value);
+  if (o->game.froms == QTR_MAX_SEEKERS) return too_many(record->name, why);
+  simulation_start *from = &o->game.from[o->game.froms];
+  const int fields = sscanf(value, "%6d,%6d%n", &from->column, &from->row, &taken);
+  if (fields != 2 || value[taken] != '\0' || from->column < 0 || from->row < 0)
+    return fault_set(why, "--%s %s: say COLUMN,ROW, counted from 0 at the top left", record->name, value);
   o->game.froms++;
   return 0;
 }
 
 /* PLACE,PLACE,... */
-static int take_clear(options *o, const char *name, const char *value, fault *why) {
+static int take_clear(void *settings, const option_record *record, const char *value, fault *why) {
+  options *o = settings;
   for (const char *at = value; at != NULL; at = strchr(at, ',') != NULL ? strchr(at, ',') + 1 : NULL) {
     char word[16];
-    int place;
+    uint64_t place;
     snprintf(word, sizeof word, "%.*s", (int)strcspn(at, ","), at);
-    if (take_int(&place, name, word, 0, QTR_MAX_PLACES - 1, why) != 0) return -1;
+    if (option_count(&place, record->name, word, 0, QTR_MAX_PLACES - 1, why) != 0) return -1;
     qtr_places_add(&o->game.clear, (unsigned)place);
   }
   return 0;
 }
 
-static int take_target(options *o, const char *name, const char *value, fault *why) {
-  return take_int(&o->game.target, name, value, 0, QTR_MAX_PLACES - 1, why);
-}
+/* ---- all options ---- */
 
-static int take_clear_all(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)value;
-  (void)why;
-  o->game.clear_all = true;
-  return 0;
-}
+#define MARK(field) .kind = OPTION_MARK, OPTION_FIELD(options, field)
+#define TEXT(field) .kind = OPTION_TEXT, OPTION_FIELD(options, field)
+#define FILE_NAME(field) .kind = OPTION_FILE, OPTION_FIELD(options, field)
+#define NUMBER(field, low, high, words)                                                                                \
+  .kind = OPTION_NUMBER, OPTION_FIELD(options, field), .least = (low), .most = (high), .range = (words)
+#define COUNT(field, low, high) .kind = OPTION_COUNT, OPTION_FIELD(options, field), .first = (low), .last = (high)
+#define WORD(field, list) .kind = OPTION_WORD, OPTION_FIELD(options, field), .words = (list)
+#define OWN(taker) .kind = OPTION_OWN, .take = (taker)
 
-static int take_history(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)why;
-  o->history = value;
-  return 0;
-}
+static const char *const starts_words[] = {"mission", "any", NULL};
+static const char *const cleared_words[] = {"none", "any", NULL};
 
-static int take_belief(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)why;
-  o->belief = value;
-  return 0;
-}
-
-static int take_prior(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->prior, name, value, "of finds, from 1e-6 to 1e12", 1e-6, 1e12, why);
-}
-
-static int take_keep(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->keep, name, value, "above 0 up to 1 (1: nothing is forgotten)", 1e-9, 1.0, why);
-}
-
-static int take_detection(options *o, const char *name, const char *value, fault *why) {
-  return take_number(&o->detection, name, value, "from 0 to 1 (1: nothing is overlooked)", 0.0, 1.0, why);
-}
-
-static int take_regions(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)value;
-  (void)why;
-  o->regions = true;
-  return 0;
-}
-
-static int take_spots(options *o, const char *name, const char *value, fault *why) {
-  (void)name;
-  (void)value;
-  (void)why;
-  o->spots = true;
-  return 0;
-}
-
-static const option_row rows[] = {{"output", required_argument, 'o', take_output},
-                                  {"c", required_argument, 0, take_c},
-                                  {"curve", required_argument, 0, take_curve},
-                                  {"json", optional_argument, 0, take_json},
-                                  {"quiet", no_argument, 'q', take_quiet},
-                                  {"help", no_argument, 'h', take_help},
-                                  {"robots", required_argument, 0, take_robots},
-                                  {"objective", required_argument, 0, take_objective},
-                                  {"rule", required_argument, 0, take_rule},
-                                  {"gamma", required_argument, 0, take_gamma},
-                                  {"cell-size", required_argument, 0, take_cell_size},
-                                  {"skip-unreachable", no_argument, 0, take_skip_unreachable},
-                                  {"snap", required_argument, 0, take_snap},
-                                  {"learner", required_argument, 0, take_learner},
-                                  {"explore", required_argument, 0, take_explore},
-                                  {"alpha", required_argument, 0, take_alpha},
-                                  {"aggregate", required_argument, 0, take_aggregate},
-                                  {"region-size", required_argument, 0, take_region_size},
-                                  {"region-diameter", required_argument, 0, take_region_diameter},
-                                  {"region-likelihood", required_argument, 0, take_region_likelihood},
-                                  {"region-times", required_argument, 0, take_region_times},
-                                  {"spot-size", required_argument, 0, take_spot_size},
-                                  {"spot-diameter", required_argument, 0, take_spot_diameter},
-                                  {"spot-order", required_argument, 0, take_spot_order},
-                                  {"spot-likelihood", required_argument, 0, take_spot_likelihood},
-                                  {"starts", required_argument, 0, take_starts},
-                                  {"cleared", required_argument, 0, take_cleared},
-                                  {"table-limit", required_argument, 0, take_table_limit},
-                                  {"budget-entries", required_argument, 0, take_budget_entries},
-                                  {"gap", required_argument, 0, take_gap},
-                                  {"time-limit", required_argument, 0, take_time_limit},
-                                  {"episodes", required_argument, 0, take_episodes},
-                                  {"seed", required_argument, 0, take_seed},
-                                  {"late", required_argument, 0, take_late},
-                                  {"lost", required_argument, 0, take_lost},
-                                  {"from", required_argument, 0, take_from},
-                                  {"clear", required_argument, 0, take_clear},
-                                  {"target", required_argument, 0, take_target},
-                                  {"regions", no_argument, 0, take_regions},
-                                  {"spots", no_argument, 0, take_spots},
-                                  {"clear-all", no_argument, 0, take_clear_all},
-                                  {"history", required_argument, 0, take_history},
-                                  {"belief", required_argument, 0, take_belief},
-                                  {"prior", required_argument, 0, take_prior},
-                                  {"keep", required_argument, 0, take_keep},
-                                  {"detection", required_argument, 0, take_detection}};
-enum { ROWS = sizeof rows / sizeof rows[0] };
+option_table option_records = {
+    {.name = "output",
+     .letter = 'o',
+     .argument = "FILE",
+     .help = "write the policy table; '-' is standard output",
+     FILE_NAME(output)},
+    {.name = "c", .argument = "FILE", .help = "write it as C source", FILE_NAME(c_output)},
+    {.name = "curve",
+     .argument = "FILE",
+     .help = "write MaxQ, the best value, the bound and the Q entries, game by game, as CSV",
+     FILE_NAME(curve)},
+    {.name = "json", .argument = "[=FILE]", .help = "print the report as JSON, or write it to FILE", OWN(take_json)},
+    {.name = "quiet", .letter = 'q', .help = "no progress, no report but JSON", MARK(quiet)},
+    {.name = "help", .letter = 'h', .help = "tell what the command takes", MARK(help)},
+    {.name = "robots", .argument = "K", .help = "K robots, where the input has one start", OWN(take_robots)},
+    {.name = "objective",
+     .argument = "WHAT",
+     .help = "discounted (maximise w P gamma^(t-1), the default) or time (least expected time)",
+     WORD(plan.objective, words_objective)},
+    {.name = "rule",
+     .argument = "RULE",
+     .help = "free (robots may stand down, the default) or paper (Table 1: they must choose)",
+     WORD(plan.rule, words_rule)},
+    {.name = "gamma",
+     .argument = "G",
+     .help = "discount a step, above 0 and below 1 (default %s)",
+     .standard = "0.99",
+     NUMBER(plan.gamma, 0.0, 1.0, "above 0 and below 1"),
+     .open = true},
+    {.name = "cell-size",
+     .argument = "M",
+     .help = "metres a cell, for ROS maps",
+     NUMBER(plan.reading.cell_size, 1e-3, 1e3, "of metres, from 0.001 to 1000")},
+    {.name = "skip-unreachable",
+     .help = "leave out places that no robot can reach, or that are on no free cell",
+     MARK(plan.reading.skip)},
+    {.name = "snap",
+     .argument = "METRES",
+     .help = "move robots and places that are on no free cell to the nearest one, as far as this (cells, on a\n"
+             "map without metres); a place takes a cell that no other place has",
+     NUMBER(plan.reading.snap, 0.0, 1e6, "of metres (of cells, on a map without metres), from 0 to 1e6")},
+    {.name = "learner",
+     .argument = "SETTING",
+     .help = "certified (the default) or paper: Q from 0, exploring, as the paper learns",
+     WORD(plan.learner.setting, words_setting)},
+    {.name = "explore",
+     .argument = "PLAN",
+     .help = "paper setting: KIND:FIRST:LAST:DECAY, KIND being uniform, epsilon or softmax; the rate\n"
+             "(epsilon, or softmax's temperature) is DECAYed every game (default %s)",
+     .standard = "epsilon:0.3:0.3:1",
+     OWN(take_explore)},
+    {.name = "alpha",
+     .argument = "A",
+     .help = "paper setting: learning rate, above 0 up to 1 (default %s)",
+     .standard = "1",
+     NUMBER(plan.learner.alpha, 1e-9, 1.0, "above 0 up to 1")},
+    {.name = "aggregate",
+     .argument = "WHAT",
+     .help = "none (the default), spots, and in the paper setting regions or both: learn on an aggregate;\n"
+             "what is reported is what the policy earns on the true map",
+     OWN(take_aggregate)},
+    {.name = "region-size",
+     .argument = "N",
+     .standard = "25",
+     COUNT(plan.aggregation.region_size, 1, QTR_MAX_REGION_SIZE)},
+    {.name = "region-diameter",
+     .argument = "D",
+     .standard = "15",
+     COUNT(plan.aggregation.region_diameter, 1, QTR_MAX_REGION_DIAMETER)},
+    {.name = "region-likelihood",
+     .argument = "W",
+     .help = "as --spot-likelihood, for the places of a region",
+     NUMBER(plan.aggregation.region_likelihood, 0.0, 1000.0, "from 0 to 1000")},
+    {.name = "region-times",
+     .argument = "WHAT",
+     .help = "representative (the default) or true: the paper's first, oscillating way, to show it",
+     WORD(plan.aggregation.region_times, words_region_times)},
+    {.name = "spot-size", .argument = "N", .standard = "5", COUNT(plan.aggregation.spot_size, 1, QTR_MAX_SPOT_SIZE)},
+    {.name = "spot-diameter", .argument = "D", .standard = "25", COUNT(plan.aggregation.spot_diameter, 1, 1000000000)},
+    {.name = "spot-order",
+     .argument = "ORDER",
+     .help = "inside a spot: best (the default) or nearest first",
+     WORD(plan.aggregation.spot_order, words_spot_order)},
+    {.name = "spot-likelihood",
+     .argument = "W",
+     .help = "%s (the default) or more: likely places keep away from unlikely ones",
+     .standard = "0",
+     NUMBER(plan.aggregation.spot_likelihood, 0.0, 1000.0, "from 0 to 1000")},
+    {.name = "starts",
+     .argument = "any",
+     .help = "one table for starts in any region of the map: seekers are put elsewhere at run time",
+     WORD(plan.any_starts, starts_words)},
+    {.name = "cleared",
+     .argument = "any",
+     .help = "one table for any set of places cleared beforehand: a mission resumed",
+     WORD(plan.any_cleared, cleared_words)},
+    {.name = "table-limit",
+     .argument = "MB",
+     .help = "refuse to make a larger table (default %s)",
+     .standard = "4",
+     NUMBER(plan.table_limit, 1e-3, 1e3, "of megabytes, from 0.001 to 1000")},
+    {.name = "budget-entries",
+     .argument = "N",
+     .help = "leave out what needs more Q entries",
+     COUNT(budget_entries, 1, UINT64_MAX - 1)},
+    {.name = "gap",
+     .argument = "X",
+     .help = "stop within this relative gap of the optimum (default %s; the paper setting, with 0,\n"
+             "learns on until something else ends it)",
+     .standard = "1e-5",
+     NUMBER(plan.learner.gap, 0.0, 1.0, "from 0 to 1 (0.01 is one per cent)")},
+    {.name = "time-limit",
+     .argument = "S",
+     .help = "stop after this many seconds, reading and travel times included (with --starts or --cleared\n"
+             "any the mission's own plan gets half of them)",
+     NUMBER(time_limit, 1e-3, 1e7, "of seconds, from 0.001 to 1e7")},
+    {.name = "episodes", .argument = "N", .help = "stop after this many games", COUNT(episodes, 1, UINT64_MAX - 1)},
+    {.name = "seed",
+     .argument = "N",
+     .help = "of random choices (default %s): how the paper setting explores, how local search on the\n"
+             "first plans shakes; what is certified holds with every seed",
+     .standard = "1",
+     COUNT(plan.learner.seed, 0, UINT64_MAX - 1)},
+    {.name = "late",
+     .argument = "SEEKER:+STEPS or SEEKER:xFACTOR",
+     .help = "may be given several times",
+     OWN(take_late)},
+    {.name = "lost", .argument = "SEEKER@STEP", .help = "may be given several times", OWN(take_lost)},
+    {.name = "from",
+     .argument = "COLUMN,ROW",
+     .help = "where a seeker starts, given once for each: a table made with --starts any takes any cell",
+     OWN(take_from)},
+    {.name = "clear",
+     .argument = "PLACE,...",
+     .help = "places cleared beforehand, as every robot knows",
+     OWN(take_clear)},
+    {.name = "target",
+     .argument = "PLACE",
+     .help = "where the target is; its finder stops everyone",
+     COUNT(game.target, 0, QTR_MAX_PLACES - 1)},
+    {.name = "regions", .help = "draw the borders of the map's regions", MARK(regions)},
+    {.name = "spots", .help = "mark the places of each hiding spot alike, for inputs", MARK(spots)},
+    {.name = "clear-all", .help = "go on after the find, until every territory is done", MARK(game.clear_all)},
+    {.name = "history", .argument = "FILE", .help = "the games to learn from", TEXT(history)},
+    {.name = "belief",
+     .argument = "FILE",
+     .help = "go on from the belief saved there, if there is one, and save the new one. Games of the\n"
+             "history are added to those that it holds: give each game once",
+     TEXT(belief)},
+    {.name = "prior",
+     .argument = "FINDS",
+     .help = "how many finds the mission's own weights count for (default: half as many as places).\n"
+             "Few: the first games decide; many: the weights hold for long",
+     NUMBER(prior, 1e-6, 1e12, "of finds, from 1e-6 to 1e12")},
+    {.name = "keep",
+     .argument = "SHARE",
+     .help = "what a find still counts for after one more game (default %s: nothing is forgotten)",
+     .standard = "1",
+     NUMBER(keep, 1e-9, 1.0, "above 0 up to 1 (1: nothing is forgotten)")},
+    {.name = "detection",
+     .argument = "P",
+     .help = "how often a search sees a target that is there (default %s); for rows with found 0",
+     .standard = "1",
+     NUMBER(detection, 0.0, 1.0, "from 0 to 1 (1: nothing is overlooked)")},
+    {.name = NULL}};
 
 /* ---- the whole line ---- */
 
-static bool is_allowed(const option_set *set, const char *name) {
-  char word[64];
-  snprintf(word, sizeof word, " %s ", name);
-  return strcmp(name, "help") == 0 || strstr(set->allowed, word) != NULL;
-}
-
-/* getopt's tables for what this command takes: a long option returns its row's number, counted from 1. */
-static void make_tables(const option_set *set, struct option *longs, char *shorts) {
-  int count = 0;
-  *shorts++ = ':';
-  for (int i = 0; i < ROWS; i++) {
-    if (!is_allowed(set, rows[i].name)) continue;
-    longs[count++] = (struct option){rows[i].name, rows[i].argument, NULL, i + 1};
-    if (rows[i].letter == 0) continue;
-    *shorts++ = (char)rows[i].letter;
-    if (rows[i].argument == required_argument) *shorts++ = ':';
-  }
-  longs[count] = (struct option){NULL, 0, NULL, 0};
-  *shorts = '\0';
-}
-
-static const option_row *find_row(int code) {
-  if (code >= 1 && code <= ROWS) return &rows[code - 1];
-  for (int i = 0; i < ROWS; i++)
-    if (rows[i].letter == code) return &rows[i];
-  return NULL;
-}
-
-static void set_defaults(options *o) {
+void options_default(options *o) {
   memset(o, 0, sizeof *o);
   plan_config_default(&o->plan);
   simulation_config_default(&o->game);
   o->detection = 1.0;
 }
 
-static int check_input(options *o, const option_set *set, int argc, char **argv, fault *why) {
+int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {
+  options_default(o);
+  if (option_parse(o, set, argc, argv, why) != 0) return -1;
   if (o->help) return 0;
   if (optind == argc) return fault_set(why, "%s: name an input; 'quarter %s --help' shows how", set->name, set->name);
   if (optind + 1 < argc)
     return fault_set(why, "%s: one input at a time, and '%s' is a second one", set->name, argv[optind + 1]);
   o->input = argv[optind];
   return 0;
-}
-
-int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {
-  struct option longs[ROWS + 1];
-  char shorts[3 * ROWS];
-  make_tables(set, longs, shorts);
-  set_defaults(o);
-  opterr = 0;
-  optind = 1;
-  int code;
-  while ((code = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
-    if (code == '?' || code == ':') return refuse_option(set->name, code, argv[optind - 1], longs, why);
-    const option_row *row = find_row(code);
-    if (row->take(o, row->name, optarg, why) != 0) return -1;
-  }
-  return check_input(o, set, argc, argv, why);
 }

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "host/base/fault.h"
+#include "host/base/option.h"
 #include "host/plan/plan_config.h"
 #include "host/plan/simulation.h"
 
@@ -33,13 +34,13 @@ typedef struct {
   double detection;
 } options;
 
-/* Which options a command takes; the name of each begins its line in the command's help. */
-typedef struct {
-  const char *name;    /* of the command */
-  const char *allowed; /* its long options, each between blanks: " json quiet " */
-} option_set;
+/* Every option of every command, each told of once: how it is spelt, what it takes, where that goes, what help says of it. */
+extern option_table option_records;
 
-/* Parse the words after the command. 0, or -1 with *fault set. */
+/* What is asked for where nothing is said. */
+void options_default(options *o);
+
+/* Parse the words after the command. 0, or -1 with *why set. */
 int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why);
 
 #endif

@@ -6,6 +6,7 @@
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/stop.h"
+#include "host/input/words.h"
 #include "print.h"
 
 void report_number_routes(report *r) {
@@ -55,9 +56,9 @@ static void write_json(FILE *out, const void *what) {
   json_integer(&j, "cells", problem_free_cells(r->p));
   json_integer(&j, "places", mission->places);
   json_integer(&j, "robots", mission->seekers);
-  json_string(&j, "objective", mission->objective == QTR_TIME ? "time" : "discounted");
+  json_string(&j, "objective", words_objective[mission->objective]);
   json_number(&j, "gamma", mission->gamma);
-  json_string(&j, "rule", mission->rule == QTR_RULE_PAPER ? "paper" : "free");
+  json_string(&j, "rule", words_rule[mission->rule]);
   write_certificate(&j, c);
   json_string(&j, "ended", r->ended);
   json_natural(&j, "episodes", c->episodes);

@@ -9,6 +9,9 @@
 #include "wiring.h"
 
 /* All that a game needs beside its arena. */
+const char *const game_strategies[] = {
+    [STRATEGY_PLAN] = "plan", [STRATEGY_NEAREST] = "nearest", [STRATEGY_INFORMED] = "informed", NULL};
+
 typedef struct {
   arena a;
   bus *b;

@@ -7,6 +7,9 @@
 
 enum game_strategy { STRATEGY_PLAN, STRATEGY_NEAREST, STRATEGY_INFORMED };
 
+/* Their names, ended by NULL. */
+extern const char *const game_strategies[];
+
 typedef struct {
   double duration, found_at, all_stopped_at; /* seconds; below 0: never */
   int mine, scanned, duplicates, collisions, deadlocks;

@@ -98,7 +98,7 @@ static pid_t start_world(const crew *c, const settings *s) {
   words w = {0, {NULL}};
   snprintf(seed, sizeof seed, "%llu", (unsigned long long)s->seed);
   snprintf(speed, sizeof speed, "%.17g", s->speed > 0.0 ? s->speed : 1.0);
-  snprintf(mine, sizeof mine, s->mine == -2 ? "none" : "%d", s->mine);
+  snprintf(mine, sizeof mine, s->mine == SETTINGS_NO_MINE ? "none" : "%d", s->mine);
   snprintf(robots, sizeof robots, "%d", s->robots);
   snprintf(json, sizeof json, s->json_path != NULL ? "--json=%s" : "--json", s->json_path);
   add(&w, "quarter-world");

@@ -6,11 +6,17 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Print the text. The exit status: 0, or 2 with one line on standard error if it cannot be printed whole. */
-static inline int print_whole(const char *program, const char *text) {
-  if (fputs(text, stdout) >= 0 && fflush(stdout) == 0) return 0;
+/* That all which was printed got through. The exit status: 0, or 2 with one line on standard error. */
+static inline int print_end(const char *program) {
+  if (fflush(stdout) == 0 && ferror(stdout) == 0) return 0;
   fprintf(stderr, "%s: standard output cannot be written: %s\n", program, strerror(errno));
   return 2;
+}
+
+/* Print the text, and see that it got through. */
+static inline int print_whole(const char *program, const char *text) {
+  fputs(text, stdout);
+  return print_end(program);
 }
 
 #endif

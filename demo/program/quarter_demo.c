@@ -19,41 +19,6 @@
 #include "runs.h"
 #include "settings.h"
 
-static const char help[] =
-    "quarter-demo demo/missions/minefield/mission.yaml -o replay.html      learn, play a game, watch it in a browser\n"
-    "quarter-demo MISSION -o replay.html --faults faults.yaml              with robots lost or stuck, signals lost\n"
-    "quarter-demo MISSION --live                                           watch it while it runs\n"
-    "quarter-demo MISSION --processes --log game.lcm                       a process a robot, over udpm\n"
-    "quarter-demo MISSION --runs 1000 --json                               many games, in figures\n"
-    "\n"
-    "  -o, --output FILE.html   the game as a page that plays it\n"
-    "      --log FILE           all messages as an LCM log, for lcm-logplayer and others\n"
-    "      --seed N             of the mine's place, noise and losses (default 1): same seed, same game\n"
-    "      --mine P             where the mine lies: a place, or none (default: drawn by the likelihoods)\n"
-    "      --clear-all          a find stops nobody: the mission ends when all territories are done\n"
-    "      --faults FILE        what goes wrong, when: see demo/missions/minefield/faults.yaml\n"
-    "      --robots K           K robots, where the mission has one start\n"
-    "      --table FILE         run this policy table instead of learning one; it must be the mission's\n"
-    "      --save-table FILE    write the table\n"
-    "      --learn-limit S      seconds to learn at most (default 10)\n"
-    "      --speed X            X times real time (default: as fast as the machine can; 1 with --live or --processes)\n"
-    "      --live [--port N]    serve the viewer on this machine alone, while the game runs\n"
-    "      --follow             serve the viewer for a game on the bus: of --processes, or played by lcm-logplayer\n"
-    "      --processes          a process for each robot and one for the world, over --lcm-url\n"
-    "      --lcm-url URL        default: LCM_DEFAULT_URL, or udpm on this machine\n"
-    "      --runs N             N games with seeds from --seed on\n"
-    "      --lose-one           a robot, drawn by the seed, is lost at a random time\n"
-    "      --strategy WHAT      plan (default); to compare: nearest (no plan), informed (no plan, full communication)\n"
-    "      --json[=FILE]        print the outcome as JSON, or write it to FILE\n"
-    "  -q, --quiet              say nothing but JSON\n"
-    "      --version            print it\n"
-    "\n"
-    "Exit status: 0 done; 2 bad input, or an output that cannot be written; 3 a game of --processes was broken off, "
-    "for "
-    "world\n"
-    "or robots fell silent; 130 ended by Ctrl-C, replay and log whole; before the game\n"
-    "has begun at once, with nothing written.\n";
-
 static volatile int interrupted;
 static plan p;
 
@@ -129,13 +94,12 @@ static int play(const settings *s, const fault_script *faults, fault *why) {
 /* ---- many games ---- */
 
 static void write_figures(FILE *out, const runs_figures *f, const settings *s) {
-  static const char *const strategies[] = {"plan", "nearest", "informed"};
   static const char *const kinds[KINDS] = {"pose", "scan", "command", "terminate", "status"};
   json j;
   json_begin(&j, out);
   json_object(&j, NULL);
   json_string(&j, "mission", p.name);
-  json_string(&j, "strategy", strategies[s->strategy]);
+  json_string(&j, "strategy", game_strategies[s->strategy]);
   json_integer(&j, "robots", p.t.policy.board.seekers);
   json_bool(&j, "lose_one", s->lose_one);
   json_natural(&j, "first_seed", s->seed);
@@ -245,7 +209,10 @@ int main(int argc, char **argv) {
   static settings s;
   fault why;
   if (settings_parse(&s, argc, argv, &why) != 0) return fault_exit(&why);
-  if (s.help) return print_whole("quarter-demo", help);
+  if (s.help) {
+    option_help(stdout, &settings_options);
+    return print_end("quarter-demo");
+  }
   if (s.version) return print_whole("quarter-demo", "quarter-demo " QTR_VERSION_STRING "\n");
   const int status = run(&s, &why);
   if (status == 0) return interrupted != 0 ? interrupted : EXIT_SUCCESS;

@@ -6,137 +6,137 @@
 #include <string.h>
 
 #include "game.h"
-#include "host/base/refusal.h"
 
-enum letter {
-  TABLE = 1,
-  SAVE,
-  LOG,
-  FAULTS,
-  LCM_URL,
-  JSON,
-  CLEAR_ALL,
-  LOSE_ONE,
-  PROCESSES,
-  LIVE,
-  FOLLOW,
-  PORT,
-  ROBOTS,
-  MINE,
-  RUNS,
-  STRATEGY,
-  SEED,
-  SPEED,
-  LEARN_LIMIT,
-  VERSION
+static int take_json(void *into, const option_record *record, const char *value, fault *why) {
+  settings *s = into;
+  (void)record;
+  (void)why;
+  s->json = true;
+  s->json_path = value;
+  return 0;
+}
+
+/* A number, in whatever way it is written, that is whole. */
+static int take_whole(void *into, const option_record *record, const char *value, fault *why) {
+  double number;
+  if (option_number(&number, record->name, value, NULL, record->least, record->most, why) != 0) return -1;
+  const int whole = (int)number;
+  if (number != (double)whole) return fault_set(why, "--%s %s: not a whole number", record->name, value);
+  memcpy((char *)into + record->at, &whole, sizeof whole);
+  return 0;
+}
+
+static int take_mine(void *into, const option_record *record, const char *value, fault *why) {
+  settings *s = into;
+  if (strcmp(value, "none") != 0) return take_whole(into, record, value, why);
+  s->mine = SETTINGS_NO_MINE;
+  return 0;
+}
+
+static int take_seed(void *into, const option_record *record, const char *value, fault *why) {
+  settings *s = into;
+  char *end;
+  errno = 0;
+  s->seed = strtoull(value, &end, 10);
+  if (value[0] >= '0' && value[0] <= '9' && *end == '\0' && errno == 0) return 0;
+  return fault_set(why, "--%s %s: not a whole number", record->name, value);
+}
+
+#define MARK(field) .kind = OPTION_MARK, OPTION_FIELD(settings, field)
+#define TEXT(field) .kind = OPTION_TEXT, OPTION_FIELD(settings, field)
+#define NUMBER(field, low, high) .kind = OPTION_NUMBER, OPTION_FIELD(settings, field), .least = (low), .most = (high)
+#define WHOLE(field, low, high)                                                                                        \
+  .kind = OPTION_OWN, .take = take_whole, OPTION_FIELD(settings, field), .least = (low), .most = (high)
+#define WORD(field, list) .kind = OPTION_WORD, OPTION_FIELD(settings, field), .words = (list)
+#define OWN(taker) .kind = OPTION_OWN, .take = (taker)
+
+static option_table records = {
+    {.name = "output",
+     .letter = 'o',
+     .argument = "FILE.html",
+     .help = "the game as a page that plays it",
+     TEXT(replay)},
+    {.name = "table",
+     .argument = "FILE",
+     .help = "run this policy table instead of learning one; it must be the mission's",
+     TEXT(table)},
+    {.name = "save-table", .argument = "FILE", .help = "write the table", TEXT(save)},
+    {.name = "log", .argument = "FILE", .help = "all messages as an LCM log, for lcm-logplayer and others", TEXT(log)},
+    {.name = "faults",
+     .argument = "FILE",
+     .help = "what goes wrong, when: see demo/missions/minefield/faults.yaml",
+     TEXT(faults)},
+    {.name = "lcm-url", .argument = "URL", .help = "default: LCM_DEFAULT_URL, or udpm on this machine", TEXT(lcm_url)},
+    {.name = "json", .argument = "[=FILE]", .help = "print the outcome as JSON, or write it to FILE", OWN(take_json)},
+    {.name = "quiet", .letter = 'q', .help = "say nothing but JSON", MARK(quiet)},
+    {.name = "help", .letter = 'h', .help = "tell what there is", MARK(help)},
+    {.name = "version", .help = "print it", MARK(version)},
+    {.name = "clear-all",
+     .help = "a find stops nobody: the mission ends when all territories are done",
+     MARK(clear_all)},
+    {.name = "lose-one", .help = "a robot, drawn by the seed, is lost at a random time", MARK(lose_one)},
+    {.name = "processes", .help = "a process for each robot and one for the world, over --lcm-url", MARK(processes)},
+    {.name = "live", .help = "serve the viewer on this machine alone, while the game runs", MARK(live)},
+    {.name = "follow",
+     .help = "serve the viewer for a game on the bus: of --processes, or played by lcm-logplayer",
+     MARK(follow)},
+    {.name = "port", .argument = "N", .help = "the viewer's port; any free one without it", WHOLE(port, 0, 65535)},
+    {.name = "robots",
+     .argument = "K",
+     .help = "K robots, where the mission has one start",
+     WHOLE(robots, 1, DEMO_MOST_ROBOTS)},
+    {.name = "mine",
+     .argument = "P",
+     .help = "where the mine lies: a place, or none (default: drawn by the likelihoods)",
+     OWN(take_mine),
+     OPTION_FIELD(settings, mine),
+     .least = 0,
+     .most = DEMO_MOST_PLACES - 1},
+    {.name = "runs", .argument = "N", .help = "N games with seeds from --seed on", WHOLE(runs, 1, 1000000)},
+    {.name = "strategy",
+     .argument = "WHAT",
+     .help = "plan (default); to compare: nearest (no plan), informed (no plan, full communication)",
+     WORD(strategy, game_strategies)},
+    {.name = "seed",
+     .argument = "N",
+     .help = "of the mine's place, noise and losses (default %s): same seed, same game",
+     .standard = "1",
+     OWN(take_seed)},
+    {.name = "speed",
+     .argument = "X",
+     .help = "X times real time (default: as fast as the machine can; 1 with --live or --processes)",
+     NUMBER(speed, 0.01, 1e6)},
+    {.name = "learn-limit",
+     .argument = "S",
+     .help = "seconds to learn at most (default %s)",
+     .standard = "10",
+     NUMBER(learn_limit, 0.01, 1e5)},
+    {.name = NULL}};
+
+static const char intro[] =
+    "quarter-demo demo/missions/minefield/mission.yaml -o replay.html      learn, play a game, watch it in a browser\n"
+    "quarter-demo MISSION -o replay.html --faults faults.yaml              with robots lost or stuck, signals lost\n"
+    "quarter-demo MISSION --live                                           watch it while it runs\n"
+    "quarter-demo MISSION --processes --log game.lcm                       a process a robot, over udpm\n"
+    "quarter-demo MISSION --runs 1000 --json                               many games, in figures\n"
+    "\n";
+
+static const option_line lines[] = {
+    {"output", NULL, 0},     {"log", NULL, 0},         {"seed", NULL, 0},    {"mine", NULL, 0},
+    {"clear-all", NULL, 0},  {"faults", NULL, 0},      {"robots", NULL, 0},  {"table", NULL, 0},
+    {"save-table", NULL, 0}, {"learn-limit", NULL, 0}, {"speed", NULL, 0},   {"live [port]", NULL, 0},
+    {"follow", NULL, 0},     {"processes", NULL, 0},   {"lcm-url", NULL, 0}, {"runs", NULL, 0},
+    {"lose-one", NULL, 0},   {"strategy", NULL, 0},    {"json", NULL, 0},    {"quiet", NULL, 0},
+    {"version", NULL, 0},    {NULL, NULL, 0},
 };
 
-static const struct option longs[] = {{"output", required_argument, NULL, 'o'},
-                                      {"table", required_argument, NULL, TABLE},
-                                      {"save-table", required_argument, NULL, SAVE},
-                                      {"log", required_argument, NULL, LOG},
-                                      {"faults", required_argument, NULL, FAULTS},
-                                      {"lcm-url", required_argument, NULL, LCM_URL},
-                                      {"json", optional_argument, NULL, JSON},
-                                      {"quiet", no_argument, NULL, 'q'},
-                                      {"help", no_argument, NULL, 'h'},
-                                      {"version", no_argument, NULL, VERSION},
-                                      {"clear-all", no_argument, NULL, CLEAR_ALL},
-                                      {"lose-one", no_argument, NULL, LOSE_ONE},
-                                      {"processes", no_argument, NULL, PROCESSES},
-                                      {"live", no_argument, NULL, LIVE},
-                                      {"follow", no_argument, NULL, FOLLOW},
-                                      {"port", required_argument, NULL, PORT},
-                                      {"robots", required_argument, NULL, ROBOTS},
-                                      {"mine", required_argument, NULL, MINE},
-                                      {"runs", required_argument, NULL, RUNS},
-                                      {"strategy", required_argument, NULL, STRATEGY},
-                                      {"seed", required_argument, NULL, SEED},
-                                      {"speed", required_argument, NULL, SPEED},
-                                      {"learn-limit", required_argument, NULL, LEARN_LIMIT},
-                                      {NULL, 0, NULL, 0}};
+static const char outro[] = "\n"
+                            "Exit status: 0 done; 2 bad input, or an output that cannot be written; 3 a game of "
+                            "--processes was broken off, for world\n"
+                            "or robots fell silent; 130 ended by Ctrl-C, replay and log whole; before the game\n"
+                            "has begun at once, with nothing written.\n";
 
-static int take_number(const char *name, const char *text, double least, double most, double *number, fault *why) {
-  char *end;
-  errno = 0;
-  *number = strtod(text, &end);
-  if (end != text && *end == '\0' && errno == 0 && *number >= least && *number <= most) return 0;
-  return fault_set(why, "--%s %s: not a number from %g to %g", name, text, least, most);
-}
-
-static int take_whole(const char *name, const char *text, double least, double most, int *number, fault *why) {
-  double value;
-  if (take_number(name, text, least, most, &value, why) != 0) return -1;
-  *number = (int)value;
-  return value == (double)*number ? 0 : fault_set(why, "--%s %s: not a whole number", name, text);
-}
-
-static int take_seed(const char *text, uint64_t *seed, fault *why) {
-  char *end;
-  errno = 0;
-  *seed = strtoull(text, &end, 10);
-  if (text[0] >= '0' && text[0] <= '9' && *end == '\0' && errno == 0) return 0;
-  return fault_set(why, "--seed %s: not a whole number", text);
-}
-
-static int take_strategy(const char *text, int *strategy, fault *why) {
-  static const char *const words[] = {"plan", "nearest", "informed"};
-  for (int i = 0; i < 3; i++) {
-    if (strcmp(text, words[i]) != 0) continue;
-    *strategy = i;
-    return 0;
-  }
-  return fault_set(why, "--strategy %s: say plan, nearest or informed", text);
-}
-
-/* Options that are a word or a mark. False: it is none of them. */
-static bool take_plain(settings *s, int letter, const char *value) {
-  switch (letter) {
-  case 'o': s->replay = value; return true;
-  case 'q': s->quiet = true; return true;
-  case 'h': s->help = true; return true;
-  case VERSION: s->version = true; return true;
-  case TABLE: s->table = value; return true;
-  case SAVE: s->save = value; return true;
-  case LOG: s->log = value; return true;
-  case FAULTS: s->faults = value; return true;
-  case LCM_URL: s->lcm_url = value; return true;
-  default: return false;
-  }
-}
-
-static bool take_mark(settings *s, int letter, const char *value) {
-  switch (letter) {
-  case JSON:
-    s->json = true;
-    s->json_path = value;
-    return true;
-  case CLEAR_ALL: s->clear_all = true; return true;
-  case LOSE_ONE: s->lose_one = true; return true;
-  case PROCESSES: s->processes = true; return true;
-  case LIVE: s->live = true; return true;
-  case FOLLOW: s->follow = true; return true;
-  default: return false;
-  }
-}
-
-static int take_value(settings *s, int letter, const char *value, fault *why) {
-  switch (letter) {
-  case PORT: return take_whole("port", value, 0, 65535, &s->port, why);
-  case ROBOTS: return take_whole("robots", value, 1, DEMO_MOST_ROBOTS, &s->robots, why);
-  case RUNS: return take_whole("runs", value, 1, 1000000, &s->runs, why);
-  case STRATEGY: return take_strategy(value, &s->strategy, why);
-  case SEED: return take_seed(value, &s->seed, why);
-  case SPEED: return take_number("speed", value, 0.01, 1e6, &s->speed, why);
-  case LEARN_LIMIT: return take_number("learn-limit", value, 0.01, 1e5, &s->learn_limit, why);
-  default:
-    if (strcmp(value, "none") == 0) {
-      s->mine = -2;
-      return 0;
-    }
-    return take_whole("mine", value, 0, DEMO_MOST_PLACES - 1, &s->mine, why);
-  }
-}
+const option_set settings_options = {NULL, intro, outro, records, lines};
 
 /* Ways to play, of which a command names one at most; none: a single game in this process. */
 static int count_ways(const settings *s) {
@@ -155,15 +155,8 @@ static int check(const settings *s, fault *why) {
 }
 
 int settings_parse(settings *s, int argc, char **argv, fault *why) {
-  int letter;
-  *s = (settings){.mine = -1, .seed = 1, .learn_limit = 10.0};
-  opterr = 0;
-  optind = 1;
-  while ((letter = getopt_long(argc, argv, ":o:qh", longs, NULL)) != -1) {
-    if (letter == '?' || letter == ':') return refuse_option(NULL, letter, argv[optind - 1], longs, why);
-    if (take_plain(s, letter, optarg) || take_mark(s, letter, optarg)) continue;
-    if (take_value(s, letter, optarg, why) != 0) return -1;
-  }
+  *s = (settings){.mine = SETTINGS_ANY_MINE, .seed = 1, .learn_limit = 10.0};
+  if (option_parse(s, &settings_options, argc, argv, why) != 0) return -1;
   if (s->help || s->version) return 0;
   if (optind + 1 != argc)
     return fault_set(why, "name one mission, as demo/missions/minefield/mission.yaml; --help shows how");

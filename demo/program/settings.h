@@ -6,6 +6,9 @@
 #include <stdint.h>
 
 #include "host/base/fault.h"
+#include "host/base/option.h"
+
+enum { SETTINGS_ANY_MINE = -1, SETTINGS_NO_MINE = -2 };
 
 typedef struct {
   const char *mission;
@@ -20,13 +23,16 @@ typedef struct {
   bool clear_all, lose_one, processes, live, follow;
   int port;     /* of the live view; 0: any free one */
   int robots;   /* 0: as the mission says */
-  int mine;     /* place; -1: drawn; -2: none */
+  int mine;     /* place; or SETTINGS_ANY_MINE, drawn; or SETTINGS_NO_MINE */
   int runs;     /* 0: one game */
   int strategy; /* enum game_strategy */
   uint64_t seed;
   double speed;       /* times real time; 0: as fast as can be */
   double learn_limit; /* seconds */
 } settings;
+
+/* Of quarter-demo, which takes all there are. */
+extern const option_set settings_options;
 
 /* Parse the words. `help` and `version` are printed by the caller if asked for. 0, or -1 with *why set. */
 int settings_parse(settings *s, int argc, char **argv, fault *why);

@@ -53,12 +53,21 @@ const char *near_word(const char *word, const char *const known[]) {
   return best;
 }
 
-void near_list(char *out, size_t size, const char *const words[]) {
+/* The words with commas between, and `last` before the last one. */
+static void join(char *out, size_t size, const char *const words[], const char *last) {
   size_t used = 0;
   out[0] = '\0';
   for (int i = 0; words[i] != NULL && used < size; i++) {
-    const char *joint = i == 0 ? "" : words[i + 1] == NULL ? " and " : ", ";
+    const char *joint = i == 0 ? "" : words[i + 1] == NULL ? last : ", ";
     int wrote = snprintf(out + used, size - used, "%s%s", joint, words[i]);
     used += wrote > 0 ? (size_t)wrote : 0;
   }
+}
+
+void near_list(char *out, size_t size, const char *const words[]) {
+  join(out, size, words, " and ");
+}
+
+void near_choice(char *out, size_t size, const char *const words[]) {
+  join(out, size, words, " or ");
 }

@@ -12,6 +12,7 @@
 #include "host/input/movingai.h"
 #include "host/input/rosmap.h"
 #include "host/input/sites.h"
+#include "host/input/words.h"
 
 static tree_keys KEYS = {"map",        "cell_size", "robot_radius", "unknown", "robots", "places",
                          "places_csv", "objective", "gamma",        "rule",    "name",   NULL};
@@ -32,18 +33,16 @@ static int read_gamma(input *in, tree *yaml, tree_node *root) {
 }
 
 static int read_game(input *in, tree *yaml, tree_node *root) {
-  static tree_keys objectives = {"discounted", "time", NULL}; /* as enum qtr_objective */
-  static tree_keys rules = {"free", "paper", NULL};           /* as enum qtr_rule */
   int word;
   tree_node *node = tree_find(yaml, root, "objective");
   if (node != NULL) {
-    if (tree_word(yaml, node, "objective", objectives, &word)) return -1;
+    if (tree_word(yaml, node, "objective", words_objective, &word)) return -1;
     in->mission.objective = (uint8_t)word;
     in->objective_given = true;
   }
   node = tree_find(yaml, root, "rule");
   if (node != NULL) {
-    if (tree_word(yaml, node, "rule", rules, &word)) return -1;
+    if (tree_word(yaml, node, "rule", words_rule, &word)) return -1;
     in->mission.rule = (uint8_t)word;
     in->rule_given = true;
   }
