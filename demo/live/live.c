@@ -1,3 +1,5 @@
+#define _GNU_SOURCE /* pthread_cond_clockwait(), of POSIX since 2024: a wait by a clock that only goes forward */
+
 #include "live.h"
 
 #include <civetweb.h>
@@ -184,7 +186,7 @@ static void await_news(live *view, const progress_of_viewer *seen, const uint64_
   const struct timespec then = soon(PULSE);
   int waited = 0;
   while (!has_news(view, seen) && view->end == NULL && *seat == number && waited == 0)
-    waited = pthread_cond_timedwait(&view->changed, &view->lock, &then);
+    waited = pthread_cond_clockwait(&view->changed, &view->lock, CLOCK_MONOTONIC, &then);
 }
 
 /* Under the lock: until the game is over, the seat lost, or the viewer gone. True: the game is over. */
@@ -268,12 +270,8 @@ int live_open(live **opened, int port, fault *why) {
   record_live_page(page);
   fclose(page);
   view->page = t.data;
-  pthread_condattr_t forward; /* a clock that only goes forward */
-  pthread_condattr_init(&forward);
-  pthread_condattr_setclock(&forward, CLOCK_MONOTONIC);
   pthread_mutex_init(&view->lock, NULL);
-  pthread_cond_init(&view->changed, &forward);
-  pthread_condattr_destroy(&forward);
+  pthread_cond_init(&view->changed, NULL);
   mg_init_library(0);
   if (start_server(view, port, why) != 0) return -1;
   *opened = view;
@@ -285,7 +283,7 @@ static void wait_while(live *view, bool (*holds)(const live *view), double secon
   const double end = clock_seconds() + seconds;
   while (holds(view) && clock_seconds() < end && (interrupted == NULL || *interrupted == 0)) {
     const struct timespec then = soon(0.2);
-    pthread_cond_timedwait(&view->changed, &view->lock, &then);
+    pthread_cond_clockwait(&view->changed, &view->lock, CLOCK_MONOTONIC, &then);
   }
 }
 

@@ -76,12 +76,14 @@ class Browser:
         self.session = None
         self.opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))  # loopback goes through no proxy
         home = {name: self.profile for name in ("HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")}
+        environment = {**os.environ, **home}
+        environment.pop("LD_PRELOAD", None)  # faketime's lock would bring a browser's many threads to a stand
         self.driver = subprocess.Popen(
             [driver, "--port=0"],
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
             encoding="utf-8",
-            env={**os.environ, **home},
+            env=environment,
         )
         try:
             self.port = self.listening_port()
