@@ -209,6 +209,7 @@ static void test_one_seeker_and_one_place_are_bounded_exactly(void) {
   qtr_bound_init(&bound, &ground, visit);
   TEST_ASSERT_TRUE(fabs(bound.upper - 10.0 * 0.99 * 0.99) < 1e-12);
   mission.objective = QTR_TIME;
+  set_up_game();
   qtr_bound_init(&bound, &ground, visit);
   TEST_ASSERT_TRUE(fabs(bound.upper + 3.0) < 1e-12);
 }
@@ -240,6 +241,8 @@ static void test_visits_under_way_are_counted_to_the_step(void) {
   /* The same 7 steps into the game: what is to come is worth as much, counted from then. */
   TEST_ASSERT_TRUE(fabs(bound_of(&joint, 7, 1.0) - 10.0 * pow(0.99, 3)) < 1e-9);
   mission.objective = QTR_TIME;
+  set_up_game();
+  qtr_bound_init(&bound, &ground, visit);
   TEST_ASSERT_TRUE(fabs(bound_of(&joint, 7, 1.0) + 4.0) < 1e-9);
 }
 

@@ -51,7 +51,8 @@ static void test_learner_side_refuses_callers_of_other_sizes(void) {
   qtr_regions_default(&sizes);
   table_draw("1..S..2/..1...S", 0);
   const qtr_grid grid = qtr_mission_grid(&table_mission);
-  const qtr_spot_ground ground = {table_mission.places, table_game.steps, table_game.probability, NULL, 0};
+  const qtr_spot_ground ground = {table_mission.places, table_game.steps, table_game.probability,
+                                  &table_game.objective};
   memset(&spots, 0xA5, sizeof spots);
   expect_refused(qtr_spots_build_sized(&spots, &ground, &limits, &scratch, FOREIGN), &spots, sizeof spots);
   memset(&regions, 0xA5, sizeof regions);

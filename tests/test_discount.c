@@ -123,7 +123,7 @@ static void test_every_discount_and_distance_is_certified_truly_or_refused(void)
     draw_case(&random);
     set_up_brute();
     const long nearest = nearest_way();
-    const bool lost = nearest > 1 && pow(mission.gamma, (double)(nearest - 1)) < QTR_GAME_LEAST_POWER;
+    const bool lost = nearest > 1 && pow(mission.gamma, (double)(nearest - 1)) < QTR_OBJECTIVE_LEAST_POWER;
     const int status = begin();
     TEST_ASSERT_EQUAL_INT_MESSAGE(lost ? QTR_ERR_DISCOUNT : QTR_OK, status, case_note);
     refused += lost;

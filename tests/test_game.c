@@ -95,6 +95,7 @@ static void test_worth_of_a_visit(void) {
   near(10.0 * 0.25 * 0.99, qtr_game_worth(&game, 0, 2));
   near(10.0 * 0.75 * pow(0.99, 99), qtr_game_worth(&game, 1, 100));
   mission.objective = QTR_TIME;
+  set_up();
   near(0.0, qtr_game_worth(&game, 0, 0));
   near(-25.0, qtr_game_worth(&game, 0, 100));
 }
@@ -109,6 +110,7 @@ static void test_score_gives_both_objectives(void) {
   near(0.25 * 3 + 0.75 * 2, score.expected_time);
   near(score.value, score.worth);
   mission.objective = QTR_TIME;
+  set_up();
   qtr_game_score(&game, visit, &score);
   near(-score.expected_time, score.worth);
 }
@@ -186,14 +188,26 @@ static void test_place_on_the_start_is_rewarded_at_once(void) {
 /* ---- powers ---- */
 
 static void test_powers_go_on_beyond_those_kept_ready(void) {
-  static const qtr_steps n[] = {0,    1,    2,     100,   QTR_GAME_POWERS - 1,     QTR_GAME_POWERS, QTR_GAME_POWERS + 1,
-                                8191, 8192, 12287, 12288, 5 * QTR_GAME_POWERS + 3, 100000,          1000000};
+  static const qtr_steps n[] = {0,
+                                1,
+                                2,
+                                100,
+                                QTR_OBJECTIVE_POWERS - 1,
+                                QTR_OBJECTIVE_POWERS,
+                                QTR_OBJECTIVE_POWERS + 1,
+                                8191,
+                                8192,
+                                12287,
+                                12288,
+                                5 * QTR_OBJECTIVE_POWERS + 3,
+                                100000,
+                                1000000};
   mission_draw(&mission, "1S");
   mission.gamma = 0.9999;
   set_up();
   for (unsigned i = 0; i < sizeof n / sizeof n[0]; i++) {
     const double expected = pow(0.9999, n[i]);
-    TEST_ASSERT_TRUE(fabs(qtr_game_power(&game, n[i]) / expected - 1.0) < 1e-10);
+    TEST_ASSERT_TRUE(fabs(qtr_objective_power(&game.objective, n[i]) / expected - 1.0) < 1e-10);
   }
 }
 
@@ -201,16 +215,16 @@ static void test_powers_fall_without_a_break(void) {
   mission_draw(&mission, "1S");
   mission.gamma = 0.9999;
   set_up();
-  for (qtr_steps n = 1; n < 5 * QTR_GAME_POWERS; n++)
-    TEST_ASSERT_TRUE(qtr_game_power(&game, n) < qtr_game_power(&game, n - 1));
+  for (qtr_steps n = 1; n < 5 * QTR_OBJECTIVE_POWERS; n++)
+    TEST_ASSERT_TRUE(qtr_objective_power(&game.objective, n) < qtr_objective_power(&game.objective, n - 1));
 }
 
 static void test_powers_underflow_to_nothing(void) {
   mission_draw(&mission, "1S");
   mission.gamma = 0.5;
   set_up();
-  TEST_ASSERT_TRUE(qtr_game_power(&game, 4000) == 0.0);
-  TEST_ASSERT_TRUE(qtr_game_power(&game, 4000000000u) == 0.0);
+  TEST_ASSERT_TRUE(qtr_objective_power(&game.objective, 4000) == 0.0);
+  TEST_ASSERT_TRUE(qtr_objective_power(&game.objective, 4000000000u) == 0.0);
 }
 
 /* ---- whatever is played ---- */

@@ -7,9 +7,6 @@
 #include "support/spot_ground.h"
 #include "unity.h"
 
-enum { POWERS = 64 };
-
-static double power[POWERS];
 static qtr_spot_tour tour;
 static qtr_spot_scratch scratch;
 
@@ -20,10 +17,7 @@ void tearDown(void) {
 }
 
 static void discount(double gamma) {
-  power[0] = 1.0;
-  for (unsigned n = 1; n < POWERS; n++) power[n] = power[n - 1] * gamma;
-  ground.power = power;
-  ground.powers = POWERS;
+  qtr_objective_init(&objective, QTR_DISCOUNTED, gamma);
 }
 
 /* A tour measured from its order alone: its worth, that of what waits until its end, and when it ends. */
@@ -37,9 +31,10 @@ static measured measure_tour(unsigned node, const uint16_t *order, unsigned coun
   for (unsigned i = 0; i < count; i++) {
     m.finish += way_of(node, order[i]);
     node = order[i];
-    m.worth += mission.weight[node] * (ground.power != NULL ? pow(power[1], m.finish) : -(double)m.finish);
+    m.worth += mission.weight[node] *
+               (objective.kind == QTR_DISCOUNTED ? pow(objective.power[1], m.finish) : -(double)m.finish);
   }
-  m.whole = m.worth + rest * (ground.power != NULL ? pow(power[1], m.finish) : -(double)m.finish);
+  m.whole = m.worth + rest * (objective.kind == QTR_DISCOUNTED ? pow(objective.power[1], m.finish) : -(double)m.finish);
   return m;
 }
 
@@ -123,12 +118,11 @@ static void test_the_best_tour_of_the_largest_spot(void) {
   }
 }
 
-static void test_steps_past_the_powers_given_are_discounted_all_the_same(void) {
+static void test_steps_past_the_powers_kept_are_discounted_all_the_same(void) {
   for (unsigned number = 0; number < 20; number++) {
     test_random random = random_case("long ways", number);
-    scatter(&random, 4, 400);
-    discount(0.99);
-    ground.powers = number % 2 == 0 ? 2 : 7;
+    scatter(&random, 4, 3 * QTR_OBJECTIVE_POWERS);
+    discount(0.9998);
     expect_best(4, QTR_SPOT_ANY_EXIT, 0.0);
   }
 }
@@ -187,7 +181,7 @@ static void test_no_tour_to_what_cannot_be_reached(void) {
   TEST_ASSERT_FALSE(qtr_spot_tour_best(&tour, &ground, 2, place, 2, QTR_SPOT_ANY_EXIT, 0.0, &scratch));
   discount(0.9);
   TEST_ASSERT_FALSE(qtr_spot_tour_best(&tour, &ground, 2, place, 2, 0, 0.0, &scratch));
-  ground.power = NULL;
+  qtr_objective_init(&objective, QTR_TIME, 0.9);
   set_way(2, 0, 1);
   set_way(0, 1, QTR_NEVER); /* 0 can only be the last */
   TEST_ASSERT_FALSE(qtr_spot_tour_best(&tour, &ground, 2, place, 2, 1, 0.0, &scratch));
@@ -197,7 +191,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_the_best_tour_is_the_best_of_all_orders_for_every_exit);
   RUN_TEST(test_the_best_tour_of_the_largest_spot);
-  RUN_TEST(test_steps_past_the_powers_given_are_discounted_all_the_same);
+  RUN_TEST(test_steps_past_the_powers_kept_are_discounted_all_the_same);
   RUN_TEST(test_nearest_first_and_best_order_by_hand);
   RUN_TEST(test_nearest_first_goes_on_from_where_it_is);
   RUN_TEST(test_equally_near_places_are_visited_lowest_first);

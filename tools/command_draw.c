@@ -231,7 +231,7 @@ static int add_spots(sheet *s, const options *o, fault *why) {
   const qtr_game *game = &desk->drawn.game;
   const qtr_spots_config config = {(uint8_t)o->plan.aggregation.spot_size, (qtr_steps)o->plan.aggregation.spot_diameter,
                                    o->plan.aggregation.spot_likelihood};
-  const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, NULL, 0};
+  const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, &game->objective};
   if (game->board.places == 0)
     return fault_set(why, "%s: --spots goes with a mission or a drawing, not with a policy table", o->input);
   const int status = qtr_spots_build(&desk->grouped, &ground, &config, &desk->grouping);

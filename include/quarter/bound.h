@@ -9,7 +9,7 @@
  * allowed to repeat, but not to go straight back. For all prices, the sum of prices plus the seekers' C from their
  * starts is at least the optimum: in any play each place is visited first by one seeker, who pays its price. Under
  * expected time every place must be visited, so that prices of either sign will do, and worth(p, t) = -P t needs no
- * horizon; under discounting prices are at least 0, because a place might be left out.
+ * horizon; under discounting prices are at least 0, because a place might be left out (qtr_objective_needs_all()).
  *
  * The prices are tuned by subgradient steps: a place that the seekers' best walks visit more than once in all becomes
  * dearer, one that they leave out becomes cheaper.

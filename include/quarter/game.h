@@ -1,8 +1,5 @@
-/* The game of a mission, as the learner plays it: the joint game with its clock, rewards and discount.
- *
- * Both objectives are put as one to be maximised. Discounted: a visit at step t is worth w P gamma^max(t-1, 0). Expected
- * time: a visit is worth -P t, and every place must be visited.
- */
+/* The game of a mission, as the learner plays it: the joint game with its clock, and what it is played for
+ * (quarter/objective.h). */
 #ifndef QUARTER_GAME_H
 #define QUARTER_GAME_H
 
@@ -12,21 +9,16 @@
 #include "quarter/config.h"
 #include "quarter/joint.h"
 #include "quarter/mission.h"
+#include "quarter/objective.h"
 #include "quarter/travel.h"
 
 #define QTR_MAX_NODES (QTR_MAX_PLACES + QTR_MAX_SEEKERS)
-#define QTR_GAME_POWERS 4096 /* powers of gamma kept ready; later ones are computed */
-
-/* Under discounting a game is refused whose nearest place has less than this left of it when it is reached: the floats of
- * the Q-table end at 1e-38, and what they cannot tell from nothing must not be called equal. */
-#define QTR_GAME_LEAST_POWER 1e-28
-
 /* Large: keep it in static storage. */
 typedef struct {
   const qtr_mission *mission;
   qtr_board board;
+  qtr_objective objective;
   double probability[QTR_MAX_PLACES]; /* P, sum 1 */
-  double power[QTR_GAME_POWERS];      /* gamma^n */
   uint8_t steps[4 * QTR_MAX_NODES * QTR_MAX_PLACES];
   uint16_t first_at[QTR_MAX_SEEKERS]; /* of each distinct start, the first seeker there */
   uint16_t measured;                  /* places to which the travel times are known: all, but after a stop */
@@ -39,12 +31,6 @@ typedef struct {
   double unvisited; /* probability of the places left */
 } qtr_state;
 
-/* What the time that passes after a choice brings, until somebody is to choose again. */
-typedef struct {
-  double reward;   /* counted from the moment of the choice */
-  double discount; /* of what comes after; 1 under expected time */
-} qtr_outcome;
-
 /* Solve the elemental tasks of a checked mission and set the game up. `field` is scratch. The mission must outlive the
  * game. QTR_OK, QTR_ERR_LIMIT, QTR_ERR_UNREACHABLE with the first such place in `*culprit` (may be NULL),
  * QTR_ERR_DISCOUNT with the nearest place in it, QTR_ERR_CONFIG if the caller was built under other sizes, or
@@ -55,12 +41,11 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *f
 /* Whether any seeker can reach a place; false if there is no such place. */
 bool qtr_game_reachable(const qtr_game *game, unsigned place);
 
-/* gamma^n under either objective. */
-double qtr_game_power(const qtr_game *game, qtr_steps n);
-
 /* What visiting `place` at step `when` is worth, under the mission's objective. The innermost of the learner's loops: the
  * place, one of the game's, is not checked. */
-double qtr_game_worth(const qtr_game *game, unsigned place, qtr_steps when);
+static inline double qtr_game_worth(const qtr_game *game, unsigned place, qtr_steps when) {
+  return qtr_objective_worth(&game->objective, game->probability[place], when);
+}
 
 /* The first state. */
 void qtr_game_start(const qtr_game *game, qtr_state *state);
@@ -72,18 +57,7 @@ double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint1
 /* Let time pass until somebody is to choose or the game is over: Q(s,a) = reward + discount * max Q(s',a') (Eq. 4.7). */
 void qtr_game_pass(const qtr_game *game, qtr_state *state, qtr_outcome *outcome);
 
-/* What a whole game earns, under both objectives at once. */
-typedef struct {
-  double value;         /* discounted */
-  double expected_time; /* steps */
-  double worth;         /* under the mission's objective, to be maximised: value, or -expected_time */
-} qtr_score;
-
 /* Score a game given each place's step of first visit. */
 void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *score);
-
-/* Whether a game is worth more than another, or as much and takes less expected time: what is discounted away counts for
- * nothing in a sum, but it still has to be searched. */
-bool qtr_score_is_better(const qtr_score *score, const qtr_score *than);
 
 #endif

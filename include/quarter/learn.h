@@ -11,6 +11,7 @@
 #include "quarter/learner.h"
 #include "quarter/mission.h"
 #include "quarter/nearby.h"
+#include "quarter/objective.h"
 #include "quarter/play.h"
 #include "quarter/qtable.h"
 #include "quarter/refine.h"

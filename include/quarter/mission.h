@@ -5,22 +5,15 @@
 #include "quarter/config.h"
 #include "quarter/grid.h"
 #include "quarter/joint.h"
+#include "quarter/objective.h"
 #include "quarter/status.h"
 #include "quarter/watch.h"
-
-enum qtr_objective {
-  QTR_DISCOUNTED = 0, /* maximise the sum over places of w P gamma^max(t-1, 0), w = 10 (paper, section 4.1) */
-  QTR_TIME = 1        /* minimise the expected step of the visit, the sum of P t */
-};
-
-#define QTR_REWARD_SCALE 10.0 /* w of Eq. 4.2 */
-#define QTR_NEGLIGIBLE 1e-9   /* share of an objective: nobody calls an order optimal on which less than this depends */
 
 typedef struct {
   uint16_t columns, rows;          /* columns * rows <= QTR_MAX_CELLS */
   uint16_t places;                 /* 1..QTR_MAX_PLACES */
   uint8_t seekers;                 /* 1..QTR_MAX_SEEKERS */
-  uint8_t objective;               /* enum qtr_objective */
+  uint8_t objective;               /* enum qtr_objective_kind */
   uint8_t rule;                    /* enum qtr_rule */
   qtr_frame frame;                 /* where the map lies in the world; goes into the table, the learner ignores it */
   double gamma;                    /* discount a step, 0 < gamma < 1; used to report the value under either objective */

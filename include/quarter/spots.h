@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include "quarter/config.h"
+#include "quarter/objective.h"
 
 /* What spots are made and toured on: a view, which owns nothing. Nodes are numbered as on the board: places first. */
 typedef struct {
@@ -17,8 +18,7 @@ typedef struct {
   const uint8_t *steps;      /* travel times as the board's: 4 bytes little-endian each, a row of `places` for every
                                 node, QTR_NEVER for no way. Spots look at the places' rows alone */
   const double *probability; /* of each place, above 0, in any unit */
-  const double *power;       /* tours: gamma^0, gamma^1, ...; NULL: the objective is the expected time */
-  uint32_t powers;           /* how many of them, 2 or more; greater ones are products of these */
+  const qtr_objective *objective; /* of tours */
 } qtr_spot_ground;
 
 /* ---- which places form a spot ---- */

@@ -40,8 +40,7 @@ static void make_single_spots(qtr_environment *e) {
 }
 
 static qtr_spot_ground ground_of(const qtr_game *game) {
-  const qtr_spot_ground ground = {game->board.places, game->steps, game->probability,
-                                  game->mission->objective == QTR_TIME ? NULL : game->power, QTR_GAME_POWERS};
+  const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, &game->objective};
   return ground;
 }
 
@@ -285,10 +284,7 @@ double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int se
 static void collect(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome, double probability,
                     qtr_steps offset, qtr_steps passed) {
   s->unvisited -= probability;
-  if (e->game->mission->objective == QTR_TIME)
-    outcome->reward += probability * (double)(passed - offset);
-  else
-    outcome->reward += outcome->discount * qtr_game_power(e->game, offset - 1) * QTR_REWARD_SCALE * probability;
+  qtr_objective_collect(&e->game->objective, outcome, probability, offset, passed);
 }
 
 /* Exact times: each place counts when it is visited. `before` is what remained to the seeker. */
@@ -353,13 +349,11 @@ static bool pass_once(const qtr_environment *e, qtr_situation *s, qtr_outcome *o
   qtr_places_clear(&arrived);
   const qtr_steps passed = qtr_joint_advance(&s->joint, &e->board, &arrived);
   if (passed == 0) return false;
-  const bool by_time = e->game->mission->objective == QTR_TIME;
-  /* All that is unvisited at first waits for the whole stretch; what is visited on the way gives some of it back. */
-  if (by_time) outcome->reward -= (double)passed * s->unvisited;
+  qtr_objective_wait(&e->game->objective, outcome, s->unvisited, passed);
   collect_all(e, s, outcome, &before, &arrived, passed);
   for (unsigned i = 0; i < e->board.seekers; i++)
     if (before.remaining[i] > 0) settle_seeker(e, s, i, passed);
-  if (!by_time) outcome->discount *= qtr_game_power(e->game, passed);
+  qtr_objective_pass(&e->game->objective, outcome, passed);
   s->now += passed;
   return true;
 }

@@ -275,18 +275,6 @@ int qtr_spots_build_sized(qtr_spots *spots, const qtr_spot_ground *ground, const
 
 /* ---- tours ---- */
 
-/* gamma^n: a power out of the array is a product of those in it. */
-static double power_of(const qtr_spot_ground *ground, qtr_steps n) {
-  if (n < ground->powers) return ground->power[n];
-  double power = ground->power[n % (ground->powers - 1)];
-  double square = ground->power[ground->powers - 1];
-  for (n /= ground->powers - 1; n > 0; n /= 2) {
-    if (n % 2 == 1) power *= square;
-    square *= square;
-  }
-  return power;
-}
-
 /* Steps and worth of the visits in the order of tour->place. */
 static bool follow(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, unsigned count) {
   qtr_steps now = 0;
@@ -298,7 +286,8 @@ static bool follow(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned 
     if (steps == QTR_NEVER) return false;
     now += steps;
     tour->step[i] = now;
-    tour->worth += ground->probability[place] * (ground->power != NULL ? power_of(ground, now) : -(double)now);
+    const double visit = qtr_objective_visit(ground->objective, ground->probability[place]);
+    tour->worth += qtr_objective_delayed(ground->objective, visit, now, ground->probability[place]);
     node = place;
   }
   return true;
@@ -370,10 +359,8 @@ static prospect go(const touring *t, unsigned done, unsigned node, unsigned next
   const double worth = t->scratch->worth[after][next];
   if (steps == QTR_NEVER || !(worth > -HUGE_VAL)) return p;
   p.left = steps + t->scratch->left[after][next];
-  if (t->ground->power != NULL)
-    p.worth = power_of(t->ground, steps) * (t->ground->probability[t->place[next]] + worth);
-  else
-    p.worth = worth - steps * waiting(t, done);
+  const double visit = qtr_objective_visit(t->ground->objective, t->ground->probability[t->place[next]]);
+  p.worth = qtr_objective_delayed(t->ground->objective, visit + worth, steps, waiting(t, done));
   return p;
 }
 
@@ -392,7 +379,7 @@ static void look_back(const touring *t) {
   const unsigned all = (1u << t->count) - 1u;
   for (unsigned last = 0; last < t->count; last++) {
     const bool may_end = t->exit == QTR_SPOT_ANY_EXIT || t->exit == (int)last;
-    t->scratch->worth[all][last] = !may_end ? -HUGE_VAL : t->ground->power != NULL ? t->rest : 0.0;
+    t->scratch->worth[all][last] = may_end ? qtr_objective_visit(t->ground->objective, t->rest) : -HUGE_VAL;
     t->scratch->left[all][last] = 0;
   }
   for (unsigned done = all - 1; done > 0; done--)

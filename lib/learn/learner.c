@@ -396,13 +396,13 @@ static uint16_t count_negligible(const qtr_learner *learner) {
 
 void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certificate) {
   const qtr_score *score = &learner->best.score;
-  const double worth = learner->game->mission->objective == QTR_TIME ? -score->expected_time : score->value;
+  const qtr_objective *objective = &learner->game->objective;
+  const double worth = qtr_objective_of_score(objective, score);
   const double upper = learner->ground_upper > worth ? learner->ground_upper : worth;
-  const bool time = learner->game->mission->objective == QTR_TIME;
   certificate->value = score->value;
   certificate->expected_time = score->expected_time;
-  certificate->objective = time ? score->expected_time : score->value;
-  certificate->bound = time ? -upper : upper;
+  certificate->objective = qtr_objective_figure(objective, worth);
+  certificate->bound = qtr_objective_figure(objective, upper);
   certificate->gap = upper > worth ? (upper - worth) / fabs(worth) : 0.0;
   certificate->certified = is_certified(learner);
   certificate->negligible_places = count_negligible(learner);

@@ -44,12 +44,6 @@ static void set_probabilities(qtr_game *game) {
   for (unsigned place = 0; place < mission->places; place++) game->probability[place] = mission->weight[place] / sum;
 }
 
-/* By multiplication alone: pow() differs between C libraries, and a run must repeat bit for bit. */
-static void set_powers(qtr_game *game) {
-  game->power[0] = 1.0;
-  for (unsigned n = 1; n < QTR_GAME_POWERS; n++) game->power[n] = game->power[n - 1] * game->mission->gamma;
-}
-
 bool qtr_game_reachable(const qtr_game *game, unsigned place) {
   for (unsigned start = 0; start < game->board.starts; start++)
     if (qtr_board_steps(&game->board, (unsigned)game->board.places + start, place) != QTR_NEVER) return true;
@@ -71,12 +65,11 @@ static unsigned nearest_place(const qtr_game *game, qtr_steps *steps) {
   return nearest;
 }
 
-/* Whether a discounted game has anything left that can be told from nothing. */
+/* Whether there is anything in reach that can be told from nothing. */
 static int check_discount(const qtr_game *game, int *culprit) {
   qtr_steps steps;
   const unsigned nearest = nearest_place(game, &steps);
-  if (game->mission->objective == QTR_TIME || steps == 0) return QTR_OK;
-  if (qtr_game_power(game, steps - 1) >= QTR_GAME_LEAST_POWER) return QTR_OK;
+  if (qtr_objective_tells(&game->objective, steps)) return QTR_OK;
   if (culprit != NULL) *culprit = (int)nearest;
   return QTR_ERR_DISCOUNT;
 }
@@ -92,7 +85,7 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *f
   find_starts(game);
   if (!measure_travel(game, field)) return QTR_ERR_STOPPED;
   set_probabilities(game);
-  set_powers(game);
+  qtr_objective_init(&game->objective, mission->objective, mission->gamma);
   for (unsigned place = 0; place < mission->places; place++) {
     if (qtr_game_reachable(game, place)) continue;
     if (culprit != NULL) *culprit = (int)place;
@@ -104,39 +97,14 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *f
 
 /* ---- rewards ---- */
 
-double qtr_game_power(const qtr_game *game, qtr_steps n) {
-  if (n < QTR_GAME_POWERS) return game->power[n];
-  double power = game->power[n % QTR_GAME_POWERS];
-  double square = game->power[QTR_GAME_POWERS - 1] * game->power[1];
-  for (n /= QTR_GAME_POWERS; n > 0; n /= 2) {
-    if (n % 2 == 1) power *= square;
-    square *= square;
-  }
-  return power;
-}
-
-static double discounted_worth(const qtr_game *game, unsigned place, qtr_steps when) {
-  return QTR_REWARD_SCALE * game->probability[place] * qtr_game_power(game, when > 0 ? when - 1 : 0);
-}
-
-double qtr_game_worth(const qtr_game *game, unsigned place, qtr_steps when) {
-  if (game->mission->objective == QTR_TIME) return -game->probability[place] * (double)when;
-  return discounted_worth(game, place, when);
-}
-
 void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *score) {
   score->value = 0.0;
   score->expected_time = 0.0;
   for (unsigned place = 0; place < game->board.places; place++) {
-    score->value += discounted_worth(game, place, visit[place]);
+    score->value += qtr_objective_discounted(&game->objective, game->probability[place], visit[place]);
     score->expected_time += game->probability[place] * (double)visit[place];
   }
-  score->worth = game->mission->objective == QTR_TIME ? -score->expected_time : score->value;
-}
-
-bool qtr_score_is_better(const qtr_score *score, const qtr_score *than) {
-  if (score->worth != than->worth) return score->worth > than->worth;
-  return score->expected_time < than->expected_time;
+  score->worth = qtr_objective_of_score(&game->objective, score);
 }
 
 /* ---- play ---- */
@@ -153,12 +121,9 @@ static void collect(const qtr_game *game, qtr_state *state, qtr_outcome *outcome
   double probability = 0.0;
   for (unsigned place = 0; place < game->board.places; place++)
     if (qtr_places_has(arrived, place)) probability += game->probability[place];
-  if (game->mission->objective == QTR_TIME) {
-    outcome->reward -= (double)passed * state->unvisited;
-  } else {
-    outcome->reward += outcome->discount * qtr_game_power(game, passed - 1) * QTR_REWARD_SCALE * probability;
-    outcome->discount *= qtr_game_power(game, passed);
-  }
+  qtr_objective_wait(&game->objective, outcome, state->unvisited, passed);
+  qtr_objective_collect(&game->objective, outcome, probability, passed, passed);
+  qtr_objective_pass(&game->objective, outcome, passed);
   state->now += passed;
   state->unvisited -= probability;
 }

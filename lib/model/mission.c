@@ -28,8 +28,8 @@ static int check_dimensions(const qtr_mission *mission) {
 }
 
 static int check_aim(const qtr_mission *mission) {
-  if (mission->objective > QTR_TIME || mission->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
-  return mission->gamma > 0.0 && mission->gamma < 1.0 ? QTR_OK : QTR_ERR_ARGUMENT;
+  if (mission->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
+  return qtr_objective_is(mission->objective, mission->gamma) ? QTR_OK : QTR_ERR_ARGUMENT;
 }
 
 static bool is_free(const qtr_mission *mission, qtr_cell cell) {

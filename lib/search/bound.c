@@ -5,7 +5,6 @@
 
 #include "quarter/status.h"
 
-#define LEAST_POWER 1e-250
 #define SCALE_FIRST 2.0 /* of Polyak's step; 2 is the most for which it converges */
 #define SCALE_LEAST 0.005
 #define SCALE_SHRINK 0.7
@@ -275,7 +274,7 @@ static bool move_trial(qtr_bound *bound, double upper, double goal, const int *v
   const double step = bound->scale * (upper - goal) / square;
   for (unsigned target = 0; target < targets_of(bound); target++) {
     bound->trial[target] += step * (double)(visits[target] - 1);
-    if (bound->game->mission->objective == QTR_DISCOUNTED && bound->trial[target] < 0.0) bound->trial[target] = 0.0;
+    if (bound->trial[target] < 0.0 && !qtr_objective_needs_all(&bound->game->objective)) bound->trial[target] = 0.0;
   }
   return true;
 }
@@ -393,8 +392,5 @@ double qtr_bound_state(const qtr_bound *bound, const qtr_situation *after) {
   const double prices = bound_by_prices(bound, after);
   const double plain = bound_all_at_once(bound, after);
   const double upper = worth_under_way(bound, after) + (prices < plain ? prices : plain);
-  if (bound->game->mission->objective == QTR_TIME) return upper + (double)after->now * after->unvisited;
-  /* Where gamma^t comes to its end as a double, all that is left counts as found now. */
-  const double power = qtr_game_power(bound->game, after->now);
-  return power > LEAST_POWER ? upper / power : QTR_REWARD_SCALE * after->unvisited;
+  return qtr_objective_from_now(&bound->game->objective, upper, after->now, after->unvisited);
 }

@@ -8,10 +8,12 @@
 
 static qtr_mission mission;                                      /* its weights are the ground's */
 static uint8_t steps[4 * (QTR_MAX_PLACES + 1) * QTR_MAX_PLACES]; /* the last node is where a seeker comes from */
+static qtr_objective objective;
 static qtr_spot_ground ground;
 
 static inline void ground_begin(unsigned places) {
-  ground = (qtr_spot_ground){(uint16_t)places, steps, mission.weight, NULL, 0};
+  qtr_objective_init(&objective, QTR_TIME, 0.99);
+  ground = (qtr_spot_ground){(uint16_t)places, steps, mission.weight, &objective};
 }
 
 static inline void set_way(unsigned node, unsigned place, qtr_steps way) {

@@ -3,7 +3,7 @@
 #ifndef QUARTER_HOST_WORDS_H
 #define QUARTER_HOST_WORDS_H
 
-extern const char *const words_objective[];    /* enum qtr_objective */
+extern const char *const words_objective[];    /* enum qtr_objective_kind */
 extern const char *const words_rule[];         /* enum qtr_rule */
 extern const char *const words_setting[];      /* enum qtr_setting */
 extern const char *const words_exploration[];  /* enum qtr_exploration */

@@ -27,7 +27,7 @@ typedef struct {
 typedef struct {
   uint32_t made;         /* by plan_config_default(): settings that were not are refused */
   input_options reading; /* cell size, number of robots, what may be moved or left out */
-  int objective;         /* enum qtr_objective, or PLAN_AS_STATED */
+  int objective;         /* enum qtr_objective_kind, or PLAN_AS_STATED */
   int rule;              /* enum qtr_rule, or PLAN_AS_STATED */
   double gamma;          /* above 0, below 1; 0: as the input says */
   qtr_learner_config learner;

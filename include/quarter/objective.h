@@ -1,0 +1,120 @@
+/* What a game is played for: all that depends on which objective it is, in one room.
+ *
+ * Each objective is put as a sum over the places, to be maximised, of what the visit of a place is worth at its step t:
+ *
+ *   discounted      w P gamma^max(t-1, 0), w = 10        (paper, Eq. 4.2)
+ *   expected time   -P t, and every place must be visited
+ *
+ * Both worths fall with t, which is what the bounds rest on (quarter/bound.h); and both can be taken apart at any moment
+ * into what came before it and what comes after, counted from there, which is what backups rest on (Eq. 4.7).
+ */
+#ifndef QUARTER_OBJECTIVE_H
+#define QUARTER_OBJECTIVE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "quarter/config.h"
+
+enum qtr_objective_kind {
+  QTR_DISCOUNTED = 0, /* maximise the sum over places of w P gamma^max(t-1, 0), w = 10 (paper, section 4.1) */
+  QTR_TIME = 1,       /* minimise the expected step of the visit, the sum of P t */
+  QTR_OBJECTIVES      /* how many there are */
+};
+
+#define QTR_REWARD_SCALE 10.0 /* w of Eq. 4.2 */
+#define QTR_NEGLIGIBLE 1e-9   /* share of an objective: nobody calls an order optimal on which less than this depends */
+#define QTR_OBJECTIVE_POWERS 4096u /* powers of gamma kept ready; later ones are computed */
+
+/* Under discounting a game is refused whose nearest place has less than this left of it when it is reached: the floats of
+ * the Q-table end at 1e-38, and what they cannot tell from nothing must not be called equal. */
+#define QTR_OBJECTIVE_LEAST_POWER 1e-28
+
+/* An objective ready for use; fill it by qtr_objective_init(). */
+typedef struct {
+  uint8_t kind;                       /* enum qtr_objective_kind */
+  double power[QTR_OBJECTIVE_POWERS]; /* gamma^n */
+} qtr_objective;
+
+/* What the time that passes after a choice brings, until somebody is to choose again. */
+typedef struct {
+  double reward;   /* counted from the moment of the choice */
+  double discount; /* of what comes after; 1 under expected time */
+} qtr_outcome;
+
+/* What a whole game earns, whatever it was played for. */
+typedef struct {
+  double value;         /* discounted */
+  double expected_time; /* steps */
+  double worth;         /* under the objective, to be maximised: value, or -expected_time */
+} qtr_score;
+
+/* False for a kind or a discount that there is not: 0 < gamma < 1. The discount counts under either objective, for the
+ * value that is told beside the expected time. */
+bool qtr_objective_is(uint8_t kind, double gamma);
+
+/* Get an objective ready; kind and gamma are such that qtr_objective_is(). */
+void qtr_objective_init(qtr_objective *objective, uint8_t kind, double gamma);
+
+/* gamma^n beyond the powers kept ready. */
+double qtr_objective_far_power(const qtr_objective *objective, qtr_steps n);
+
+/* gamma^n under either objective. */
+static inline double qtr_objective_power(const qtr_objective *objective, qtr_steps n) {
+  return n < QTR_OBJECTIVE_POWERS ? objective->power[n] : qtr_objective_far_power(objective, n);
+}
+
+/* ---- the worth of visits ---- */
+
+static inline double qtr_objective_discounted(const qtr_objective *objective, double probability, qtr_steps when) {
+  return QTR_REWARD_SCALE * probability * qtr_objective_power(objective, when > 0 ? when - 1 : 0);
+}
+
+/* What the first visit of a place of this likelihood is worth at step `when`. Never rises with `when`. */
+static inline double qtr_objective_worth(const qtr_objective *objective, double probability, qtr_steps when) {
+  if (objective->kind == QTR_TIME) return -probability * (double)when;
+  return qtr_objective_discounted(objective, probability, when);
+}
+
+/* Whether a game is worth nothing that leaves a place out. Then a place can have a price below 0, for nobody may refuse to
+ * take it at that price. */
+bool qtr_objective_needs_all(const qtr_objective *objective);
+
+/* Whether what lies `steps` ahead can still be told from nothing. */
+bool qtr_objective_tells(const qtr_objective *objective, qtr_steps steps);
+
+/* ---- worth from some moment on ---- */
+
+/* A visit that happens now counts for so much, without the scale of rewards; and what is worth `worth` from `steps` on
+ * counts for so much now, while places of the likelihood `waiting` wait for it. */
+double qtr_objective_visit(const qtr_objective *objective, double probability);
+double qtr_objective_delayed(const qtr_objective *objective, double worth, qtr_steps steps, double waiting);
+
+/* What is worth `worth`, counted from the start, seen from step `now`, when places of the likelihood `unvisited` are left:
+ * the most that can still come. */
+double qtr_objective_from_now(const qtr_objective *objective, double worth, qtr_steps now, double unvisited);
+
+/* ---- a stretch of time, as a backup sees it: first wait, then the visits in it, at last the end ---- */
+
+/* All that is unvisited at first waits for the whole stretch of `passed` steps. */
+void qtr_objective_wait(const qtr_objective *objective, qtr_outcome *outcome, double unvisited, qtr_steps passed);
+
+/* A visit `offset` steps, one or more, into the stretch: what waited no longer from there on is given back. */
+void qtr_objective_collect(const qtr_objective *objective, qtr_outcome *outcome, double probability, qtr_steps offset,
+                           qtr_steps passed);
+
+void qtr_objective_pass(const qtr_objective *objective, qtr_outcome *outcome, qtr_steps passed);
+
+/* ---- what people are told ---- */
+
+/* The figure of a worth: the value, or the expected time. */
+double qtr_objective_figure(const qtr_objective *objective, double worth);
+
+/* What a game that earns both is worth under this one of them. */
+double qtr_objective_of_score(const qtr_objective *objective, const qtr_score *score);
+
+/* Whether a game is worth more than another, or as much and takes less expected time: what is discounted away counts for
+ * nothing in a sum, but it still has to be searched. */
+bool qtr_score_is_better(const qtr_score *score, const qtr_score *than);
+
+#endif
