@@ -34,14 +34,18 @@ def play(tool, loss, seed):
     return json.loads(done.stdout)["result"]
 
 
+def need_programs():
+    for program in ("unshare", "ip", "nft"):
+        if shutil.which(program, path=os.environ["PATH"] + ":/usr/sbin:/sbin") is None:
+            raise SystemExit(f"./run losses: there is no {program}; install util-linux, iproute2 and nftables")
+
+
 def main():
     parser = argparse.ArgumentParser(prog="./run losses", description=__doc__)
     parser.add_argument("tool", help=argparse.SUPPRESS)
     parser.add_argument("--games", type=int, default=10, help="at each loss (default 10)")
     asked = parser.parse_args()
-    for program in ("unshare", "ip", "nft"):
-        if shutil.which(program, path=os.environ["PATH"] + ":/usr/sbin:/sbin") is None:
-            raise SystemExit(f"./run losses: there is no {program}; install util-linux, iproute2 and nftables")
+    need_programs()
     tool = str(Path(asked.tool).resolve())
     pairs = [(loss, seed) for loss in LOSSES for seed in range(1, asked.games + 1)]
     with ThreadPoolExecutor(2 * (os.cpu_count() or 1)) as pool:

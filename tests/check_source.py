@@ -1,8 +1,13 @@
-"""What the checks share: C source without its comments and strings, line for line."""
+"""What the checks share: source without its comments and strings, line for line."""
 
 import re
 
 TOKEN = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.DOTALL)
+
+# A slash begins a regular expression where a value may begin.
+SCRIPT_TOKEN = re.compile(
+    TOKEN.pattern + r"|`(?:\\.|[^`\\])*`|(?<=[(=,:!])\s*/(?![/*])(?:\\.|\[(?:\\.|[^\]\\\n])*\]|[^/\\\n])+/", re.DOTALL
+)
 
 
 def blanked(text, keep_strings=False):
@@ -15,6 +20,11 @@ def blanked(text, keep_strings=False):
         return re.sub(r"[^\n]", " ", token)
 
     return TOKEN.sub(blank, text)
+
+
+def blanked_script(text):
+    """JavaScript with comments, strings, templates and regular expressions as spaces; line breaks stay."""
+    return SCRIPT_TOKEN.sub(lambda match: re.sub(r"[^\n]", " ", match.group(0)), text)
 
 
 def self_test(cases, check):

@@ -35,18 +35,22 @@ def defined(symbols):
     return {name for name, kind, _ in symbols if kind.isupper() and kind != "U"}
 
 
+def is_compilers(name, sanitized):
+    return bool(COMPILER.fullmatch(name) or (sanitized and SANITIZER.fullmatch(name)))
+
+
+def find_kept(symbols):
+    return [(name, section) for name, kind, section in symbols if kind == "C" or WRITABLE.match(section)]
+
+
 def check_library(side, symbols, below, sanitized):
     """Faults of one library; `below` are the names that it may use from the library under it."""
     allowed = defined(symbols) | below | MEMORY | (MATHS if side == "learn" else set())
-    faults = []
-    for name in sorted({name for name, kind, _ in symbols if kind in "Uwv"} - allowed):
-        if not COMPILER.fullmatch(name) and not (sanitized and SANITIZER.fullmatch(name)):
-            faults.append(f"{side} side: needs {name}")
-    if not sanitized:
-        for name, kind, section in symbols:
-            if kind == "C" or WRITABLE.match(section):
-                faults.append(f"{side} side: {name} is writable and global, in {section}")
-    return faults
+    needed = {name for name, kind, _ in symbols if kind in "Uwv" and not is_compilers(name, sanitized)} - allowed
+    kept = [] if sanitized else find_kept(symbols)
+    return [f"{side} side: needs {name}" for name in sorted(needed)] + [
+        f"{side} side: {name} is writable and global, in {section}" for name, section in kept
+    ]
 
 
 def prove_that_it_fails():

@@ -132,6 +132,12 @@ def title(defines):
     return " ".join([robots, mode, *(d for d in defines if d != "CLEAR_ALL" and not d.startswith("N="))])
 
 
+def line_of(defines, name, states, found, expected):
+    fair = " unfair" if name.endswith("!") else ""
+    return (f"{title(defines):41} {name.rstrip('!') + fair:19} {'?' if states is None else states:>7} states  "
+            f"{found or 'not searched to the end':8}" + ("as expected" if found == expected else f"NOT {expected}"))
+
+
 def run(tools, number, defines, properties):
     """The lines to print for the runs of one model, and how many are not as expected."""
     lines, wrong = [], 0
@@ -143,11 +149,7 @@ def run(tools, number, defines, properties):
             build(tools, folder, defines, claims, long=claims and goes_to_the_end)
         found, states = search(folder, name)
         wrong += found != expected
-        fair = "" if not name.endswith("!") else " unfair"
-        lines.append(
-            f"{title(defines):41} {name.rstrip('!') + fair:19} {'?' if states is None else states:>7} states  "
-            f"{found or 'not searched to the end':8}" + ("as expected" if found == expected else f"NOT {expected}")
-        )
+        lines.append(line_of(defines, name, states, found, expected))
     return lines, wrong
 
 

@@ -53,19 +53,34 @@ def parse(words):
     parser.add_argument("--mcap", metavar="OUT.mcap", help="write an MCAP file")
     parser.add_argument("--lcm-gen", metavar="PATH", help="default: the one of the Python package lcm")
     asked = parser.parse_args(words)
+    check(parser, asked)
+    return asked
+
+
+def check(parser, asked):
     if asked.live == (asked.log is not None):
         parser.error("name a log, or --live" if not asked.live else "a log, or --live, not both")
     if not asked.live and (asked.seconds is not None or asked.lcm_url is not None):
         parser.error("--seconds and --lcm-url belong to --live")
     if asked.seconds is not None and not 0 < asked.seconds < 1e9:
         parser.error("--seconds takes a number above 0")
+    check_files(parser, asked)
+
+
+def check_files(parser, asked):
     outputs = [path for path in (asked.rerun, asked.mcap) if path is not None]
     if not outputs:
         parser.error("nothing to write: name --rerun OUT.rrd, --mcap OUT.mcap or both")
     named = [os.path.realpath(path) for path in [asked.log, asked.table, *outputs] if path is not None]
     if len(set(named)) < len(named):
         parser.error("two of the files named are the same")
-    return asked
+
+
+def print_table(rows):
+    """In columns as wide as they need, the first one to the left."""
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    for row in rows:
+        print(row[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(row[1:], widths[1:])), sep="  ")
 
 
 class Tally:
@@ -87,9 +102,7 @@ class Tally:
             skipped = sum(n for (of, _), n in self.skipped.items() if of == channel)
             went = [self.went.get((channel, name), 0) for name in names]
             rows.append([channel, *map(str, [self.heard[(channel,)], *went, skipped])])
-        widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-        for row in rows:
-            print(row[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(row[1:], widths[1:])), sep="  ")
+        print_table(rows)
 
 
 class Restarts:

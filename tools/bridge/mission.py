@@ -11,15 +11,21 @@ class Mission:
 
     def __init__(self, told):
         self.told = told
+        self.take_map(told)
+        self.places = [self.middle(place) for place in told["place"]]
+        self.likelihood = [float(place["probability"]) for place in told["place"]]
+        self.starts = [self.middle(start) for start in told["start"]]
+        self.take_routes(told)
+
+    def take_map(self, told):
         self.columns, self.rows = int(told["columns"]), int(told["rows"])
         self.cell = float(told.get("cell_size", 1.0))
         self.left, self.bottom = float(told.get("origin_x", 0.0)), float(told.get("origin_y", 0.0))
         self.map = told.get("map")
         if self.map is not None and [len(row) for row in self.map] != [self.columns] * self.rows:
             raise ValueError("map")
-        self.places = [self.middle(place) for place in told["place"]]
-        self.likelihood = [float(place["probability"]) for place in told["place"]]
-        self.starts = [self.middle(start) for start in told["start"]]
+
+    def take_routes(self, told):
         self.routes = {int(route["seeker"]): [int(p) for p in route["places"]] for route in told["routes"]}
         self.owner = {place: seeker for seeker, places in self.routes.items() for place in places}
         if any(not 0 <= place < len(self.places) for place in self.owner):

@@ -31,6 +31,10 @@ def first(rows, holds):
     return next(int(row["episode"]) for row in rows if holds(row))
 
 
+def spread_of(runs, key):
+    return spread([run[key] for run in runs])
+
+
 def until(rows, value, share):
     """Episodes after which MaxQ has come within a share of a value for good."""
     last = 0
@@ -49,21 +53,21 @@ def converge(lab, name, optimum, strategy, episodes):
 
     runs = side_by_side(one, SEEDS)
     done = [run for run in runs if run["episodes"] is not None]
-    near = [run["near"] for run in runs if run["near"] is not None]
+    near = [run for run in runs if run["near"] is not None]
     return {"seeds": len(runs), "converged": len(done), "limit": episodes,
-            "episodes": spread([run["episodes"] for run in done]) if done else None,
-            "near": spread(near) if near else None, "near_seeds": len(near),
-            "max_q": spread([run["max_q"] for run in runs]), "value": spread([run["value"] for run in runs]),
-            "entries": spread([run["entries"] for run in runs]),
+            "episodes": spread_of(done, "episodes") if done else None,
+            "near": spread_of(near, "near") if near else None, "near_seeds": len(near),
+            "max_q": spread_of(runs, "max_q"), "value": spread_of(runs, "value"),
+            "entries": spread_of(runs, "entries"),
             "course": course([run["rows"] for run in runs], episodes, "max_q")}
 
 
 def certify(lab, name, *options):
     runs = side_by_side(lambda seed: lab.learn(name, "--seed", seed, *options), SEEDS)
     return {"seeds": len(runs), "certified": sum(run["certified"] for run in runs),
-            "episodes": spread([run["episodes"] for run in runs]), "value": spread([run["value"] for run in runs]),
-            "bound": spread([run["objective_bound"] for run in runs]),
-            "entries": spread([run["q_entries"] for run in runs])}
+            "episodes": spread_of(runs, "episodes"), "value": spread_of(runs, "value"),
+            "bound": spread_of(runs, "objective_bound"),
+            "entries": spread_of(runs, "q_entries")}
 
 
 def maps(lab, pictures):
@@ -93,7 +97,7 @@ def states(lab, pictures):
     for name in SMALL + ["fig53"] + LARGE:
         def count(key):
             runs = [lab.explore(name, GROWTH, seed, "--explore", "uniform", *APPROACHES[key])[0] for seed in SEEDS]
-            return spread([run["q_entries"] for run in runs])
+            return spread_of(runs, "q_entries")
 
         loc, lossless = side_by_side(count, ["none, (V, Loc) key", "none, lossless key"])
         told = lab.learn(name, "--episodes", 1)
@@ -188,8 +192,8 @@ def tuning(lab, pictures):
         for kind, options in (("tuned", tuned["kinds"]["both"]["options"].split()), ("plain", ["--aggregate", "both"]),
                               ("none", ["--aggregate", "none"])):
             runs = side_by_side(lambda seed: lab.explore(name, GROWTH, seed, "--explore", EPSILON, *options)[0], SEEDS)
-            tuned[kind] = {"value": spread([run["value"] for run in runs]),
-                           "entries": spread([run["q_entries"] for run in runs])}
+            tuned[kind] = {"value": spread_of(runs, "value"),
+                           "entries": spread_of(runs, "q_entries")}
     return found
 
 
@@ -204,9 +208,14 @@ def likelihood(lab, pictures):
                 runs = side_by_side(lambda seed: lab.explore(name, 2000, seed, *options)[0], SEEDS)
                 found.setdefault(name, []).append(
                     {"size": size, "diameter": diameter, "weight": weight, "regions": runs[0]["regions"],
-                     "value": spread([run["value"] for run in runs]),
-                     "entries": spread([run["q_entries"] for run in runs])})
+                     "value": spread_of(runs, "value"),
+                     "entries": spread_of(runs, "q_entries")})
     return found
+
+
+def count_falls(rows):
+    """How often MaxQ falls from an episode to the next."""
+    return sum(b["max_q"] < a["max_q"] - 1e-6 for a, b in zip(rows, rows[1:]))
 
 
 def oscillation(lab, pictures):
@@ -215,11 +224,8 @@ def oscillation(lab, pictures):
     for times in ("true", "representative"):
         runs = side_by_side(lambda seed: lab.explore("fig43d", EPISODES, seed, "--explore", EPSILON, "--aggregate",
                                                      "regions", "--region-times", times)[1], SEEDS)
-        late = [[row for row in rows if row["episode"] > EPISODES / 2] for rows in runs]
-        falls = [sum(b["max_q"] < a["max_q"] - 1e-6 for a, b in zip(rows, rows[1:])) for rows in runs]
-        found[times] = {"falls": spread(falls),
-                        "late_least": min(row["max_q"] for rows in late for row in rows),
-                        "late_most": max(row["max_q"] for rows in late for row in rows),
+        late = [row["max_q"] for rows in runs for row in rows if row["episode"] > EPISODES / 2]
+        found[times] = {"falls": spread(list(map(count_falls, runs))), "late_least": min(late), "late_most": max(late),
                         "seed_1": [[int(row["episode"]), row["max_q"]] for row in runs[0] if row["episode"] <= 3000]}
     return found
 
@@ -290,16 +296,21 @@ def seek(lab, seed):
     return {"known": known, "excess": times}
 
 
+def settle(excess):
+    """The number of games from which on the excess stays small; None: it does not."""
+    return next((games for i, games in enumerate(GAMES) if max(excess[i:]) <= 0.02), None)
+
+
 def belief(lab, pictures):
     """The third level: a hider whose habits are unknown at first."""
     runs = side_by_side(lambda seed: seek(lab, seed), SEEDS)
     excess = [spread([run["excess"][i] for run in runs]) for i in range(len(GAMES))]
-    medians = [e["median"] for e in excess]
-    enough = next((games for i, games in enumerate(GAMES) if max(medians[i:]) <= 0.02), None)
-    settled = [next((games for i, games in enumerate(GAMES) if max(run["excess"][i:]) <= 0.02), None) for run in runs]
+    enough = settle([e["median"] for e in excess])
+    settled = [settle(run["excess"]) for run in runs]
+    never = 10**6
     return {"games": GAMES, "excess": excess, "enough": enough,
-            "settled": statistics.median(s if s is not None else 10**6 for s in settled),
-            "known": spread([run["known"] for run in runs])}
+            "settled": statistics.median(never if games is None else games for games in settled),
+            "known": spread_of(runs, "known")}
 
 
 EXPERIMENTS = [maps, strategies, states, rules, groups, learning, growth, tuning, likelihood, oscillation, anywhere,

@@ -1,0 +1,245 @@
+"use strict";
+
+/* ---- what changes on the map: places, robots and their ways ---- */
+
+/* Text with a rim, readable on any ground. Sizes and places in pixels. */
+function label(context, text, x, y, size, ink, rim) {
+  context.font = `600 ${size}px system-ui, Arial, "Liberation Sans", "DejaVu Sans", sans-serif`;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  if (rim) {
+    context.lineWidth = 3;
+    context.lineJoin = "round";
+    context.strokeStyle = rim;
+    context.strokeText(text, x, y);
+  }
+  context.fillStyle = ink;
+  context.fillText(text, x, y + 0.5);
+}
+
+function star(context, x, y, radius) {
+  context.beginPath();
+  for (let k = 0; k < 16; k++) {
+    const angle = (k * Math.PI) / 8, reach = k % 2 === 0 ? radius : radius * 0.55;
+    context.lineTo(x + reach * Math.sin(angle), y - reach * Math.cos(angle));
+  }
+  context.closePath();
+}
+
+function circle(context, x, y, radius) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+}
+
+/* Areas go with likelihoods; the likeliest place fills its cell. */
+function placeRadius(data, place) {
+  const largest = Math.max(...data.places.map((other) => other.likelihood), 1e-9);
+  const full = clamp(view.cell * 0.46, 6, 22);
+  return Math.max(full * 0.4, full * Math.sqrt(Math.max(0, place.likelihood) / largest));
+}
+
+function drawSuspected(context, x, y, radius, ink) {
+  circle(context, x, y, radius);
+  context.globalAlpha = 0.55;
+  context.fillStyle = style.ground;
+  context.fill();
+  context.globalAlpha = 1;
+  context.strokeStyle = ink;
+  context.lineWidth = 2;
+  context.stroke();
+}
+
+function drawClear(context, x, y, radius, ink) {
+  circle(context, x, y, radius);
+  context.fillStyle = ink;
+  context.globalAlpha = 0.35;
+  context.fill();
+  context.globalAlpha = 1;
+  context.strokeStyle = style.ink;
+  context.lineWidth = 2;
+  context.beginPath();
+  const size = Math.max(4, radius * 0.55);
+  context.moveTo(x - size, y + size * 0.1);
+  context.lineTo(x - size * 0.2, y + size * 0.8);
+  context.lineTo(x + size, y - size * 0.8);
+  context.stroke();
+}
+
+function drawFound(context, x, y) {
+  star(context, x, y, clamp(view.cell * 0.75, 10, 26));
+  context.fillStyle = style.mine;
+  context.fill();
+  context.strokeStyle = "#111";
+  context.lineWidth = 1.5;
+  context.stroke();
+}
+
+function drawHiddenMine(context, x, y) {
+  star(context, x, y, clamp(view.cell * 0.36, 5, 12));
+  context.fillStyle = style.mine;
+  context.fill();
+  context.strokeStyle = "#111";
+  context.lineWidth = 1;
+  context.setLineDash([2, 2]);
+  context.stroke();
+  context.setLineDash([]);
+}
+
+function drawPlace(context, model, state, number) {
+  const place = model.data.places[number], seen = state.places[number];
+  const x = place.x * view.cell, y = place.y * view.cell, radius = placeRadius(model.data, place);
+  const ink = place.territory >= 0 ? colour(place.territory) : style.soft;
+  if (seen.found !== null) drawFound(context, x, y);
+  else if (seen.at !== null) drawClear(context, x, y, radius, ink);
+  else drawSuspected(context, x, y, radius, ink);
+  const isHidden = seen.found === null && model.data.mines?.includes(number);
+  if (isHidden && $("hidden-mines").checked) drawHiddenMine(context, x, y);
+  // On a small screen the numbers of many places would hide the map.
+  if (view.cell >= 5 || model.data.places.length <= 40) drawNumber(context, number, x, y, radius);
+}
+
+/* Beside the place, on the side where there is room. */
+function drawNumber(context, number, x, y, radius) {
+  const beside = Math.max(view.cell * 0.5, radius * 0.75) + 3;
+  const right = x + beside + 6 < view.cell * (view.left + view.columns) ? x + beside : x - beside;
+  const above = y - beside > 6 + view.cell * view.top ? y - beside : y + beside;
+  label(context, String(number), right, above, 11, style.ink, style.ground);
+}
+
+/* All of the way so far, thin, to be held against the planned route. Two points a second show its shape. */
+function drawPath(context, model, robot, now) {
+  const last = countUntil(model.times, now), stride = Math.max(1, Math.round(last / (2 * Math.max(now, 1))));
+  const { x, y } = model.tracks[robot];
+  context.strokeStyle = colour(robot, 0.75);
+  context.lineWidth = Math.max(1, view.cell * 0.05);
+  context.beginPath();
+  for (let k = 0; k < last; k += stride) context.lineTo(x[k] * view.cell, y[k] * view.cell);
+  context.stroke();
+}
+
+/* Fading, in strokes of a second: one stroke a sample would cost more and look the same. */
+function drawTrail(context, model, robot, now) {
+  context.lineCap = "round";
+  context.lineJoin = "round";
+  context.lineWidth = Math.max(2, view.cell * 0.12);
+  for (let age = TRAIL; age >= 1; age--) {
+    const from = now - age, to = from + 1;
+    if (to < 0) continue;
+    context.strokeStyle = colour(robot, 0.85 * (1 - (age - 1) / TRAIL));
+    context.beginPath();
+    const start = poseAt(model, robot, Math.max(0, from)), end = poseAt(model, robot, to);
+    context.moveTo(start.x * view.cell, start.y * view.cell);
+    const last = countUntil(model.times, to);
+    for (let k = countUntil(model.times, from); k < last; k++)
+      context.lineTo(model.tracks[robot].x[k] * view.cell, model.tracks[robot].y[k] * view.cell);
+    context.lineTo(end.x * view.cell, end.y * view.cell);
+    context.stroke();
+  }
+}
+
+/* Towards +x: a disc with a nose; of a robot that has stopped, a square with one. */
+function bodyPath(context, radius, hasStopped) {
+  context.beginPath();
+  context.moveTo(radius * (hasStopped ? 0.9 : 0.55), -radius * 0.9);
+  context.lineTo(radius * 1.7, 0);
+  context.lineTo(radius * (hasStopped ? 0.9 : 0.55), radius * 0.9);
+  if (!hasStopped) context.arc(0, 0, radius, 0.9, 2 * Math.PI - 0.9);
+  else context.lineTo(-radius * 0.9, radius * 0.9), context.lineTo(-radius * 0.9, -radius * 0.9);
+  context.closePath();
+}
+
+function drawBody(context, radius, robot, kind) {
+  const isGone = kind === "lost";
+  bodyPath(context, radius, kind === "stopped");
+  context.fillStyle = isGone ? style.ground : colour(robot);
+  context.fill();
+  context.strokeStyle = isGone ? colour(robot) : style.ground;
+  context.lineWidth = isGone ? 2 : 1.5;
+  context.stroke();
+}
+
+function drawLost(context, x, y, radius) {
+  const reach = radius * 1.25;
+  for (const [width, ink] of [[5.5, style.ground], [3, style.fault]]) {
+    context.lineWidth = width;
+    context.strokeStyle = ink;
+    context.beginPath();
+    context.moveTo(x - reach, y - reach), context.lineTo(x + reach, y + reach);
+    context.moveTo(x + reach, y - reach), context.lineTo(x - reach, y + reach);
+    context.stroke();
+  }
+}
+
+function drawStuck(context, x, y, radius) {
+  circle(context, x, y, radius * 1.7);
+  context.strokeStyle = style.fault;
+  context.lineWidth = 2.5;
+  context.setLineDash([4, 3]);
+  context.stroke();
+  context.setLineDash([]);
+  label(context, "!", x + radius * 1.4, y - radius * 1.4, 15, style.fault, style.ground);
+}
+
+/* Larger than the true robot where that would be too small to see. */
+const robotRadius = (model) => Math.max(clamp(view.cell * 0.34, 6, 10), (model.data.robot_radius ?? 0) * view.cell);
+
+/* A robot that had stopped may have to drive on; no event says so, but it is half a cell away then. */
+function kindNow(model, state, robot, pose) {
+  const { kind, since } = state.robots[robot];
+  if (kind !== "stopped") return kind;
+  const stop = poseAt(model, robot, since);
+  return Math.hypot(stop.x - pose.x, stop.y - pose.y) > 0.5 ? "moving" : kind;
+}
+
+function drawRobot(context, model, state, robot, now) {
+  const pose = poseAt(model, robot, now), radius = robotRadius(model), kind = kindNow(model, state, robot, pose);
+  const x = pose.x * view.cell, y = pose.y * view.cell, isGone = kind === "lost";
+  context.save();
+  context.translate(x, y);
+  context.rotate(-pose.heading); // counter-clockwise on the screen, where y points down
+  drawBody(context, radius, robot, kind);
+  context.restore();
+  if (isGone) {
+    drawLost(context, x, y, radius);
+    label(context, String(robot), x - radius * 2.1, y, Math.round(radius * 1.35), colour(robot), style.ground);
+  } else label(context, String(robot), x, y, Math.round(radius * 1.35), inkOn(robot));
+  if (kind === "stuck") drawStuck(context, x, y, radius);
+}
+
+/* Where an event is to be seen: at its place, or where its robot is now; null: nowhere. */
+function spotOf(model, event, now) {
+  if (validIndex(event.place)) return model.data.places[event.place];
+  return validIndex(event.robot) && FAULTS.has(event.kind) ? poseAt(model, event.robot, now) : null;
+}
+
+/* A ring that widens for a moment where a place was scanned, a robot failed or a mine was found. */
+function drawPulses(context, model, passed, now) {
+  for (let k = passed - 1; k >= 0 && now - model.events[k].t < PULSE; k--) {
+    const event = model.events[k], isFault = FAULTS.has(event.kind), isFind = event.kind === "found";
+    const at = spotOf(model, event, now);
+    if (at === null) continue;
+    const part = stillMedia.matches ? 0.4 : (now - event.t) / PULSE;
+    circle(context, at.x * view.cell, at.y * view.cell, (isFind ? 40 : 14) * part + view.cell * 0.5);
+    context.globalAlpha = 1 - part;
+    context.strokeStyle = isFault ? style.fault : style.ink;
+    context.lineWidth = isFind || isFault ? 4 : 2;
+    context.stroke();
+    context.globalAlpha = 1;
+  }
+}
+
+function drawMap(model, state, now) {
+  const canvas = $("map"), context = canvas.getContext("2d");
+  // Before the window has a size there is nothing to draw on; its first resize draws.
+  if (canvas.width === 0 || view.ground === null || view.ground.width === 0) return;
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.drawImage(view.ground, 0, 0);
+  fit(context, canvas, view.cell);
+  for (let robot = 0; robot < model.data.robots; robot++) {
+    drawPath(context, model, robot, now);
+    drawTrail(context, model, robot, now);
+  }
+  model.data.places.forEach((_, number) => drawPlace(context, model, state, number));
+  drawPulses(context, model, state.passed, now);
+  for (let robot = 0; robot < model.data.robots; robot++) drawRobot(context, model, state, robot, now);
+}

@@ -1,0 +1,146 @@
+"use strict";
+
+/* ---- what came in: bytes from outside, so all of it is checked ---- */
+
+function isMap(map) {
+  return Boolean(map) && map.columns > 0 && map.rows > 0 && Array.isArray(map.rows_text) &&
+    map.rows_text.length === map.rows &&
+    map.rows_text.every((row) => typeof row === "string" && row.length === map.columns);
+}
+const isPoint = (point) => Array.isArray(point) && finite(point[0]) && finite(point[1]);
+const isPoints = (list) => Array.isArray(list) && list.every(isPoint);
+const isPlace = (place) => Boolean(place) && finite(place.x) && finite(place.y) && finite(place.likelihood);
+
+function isTrack(track, samples) {
+  return Boolean(track) && ["x", "y", "heading"].every((name) =>
+    Array.isArray(track[name]) && track[name].length === samples && track[name].every(finite));
+}
+
+function isTracks(data) {
+  const samples = data.tracks?.[0]?.x?.length;
+  return Array.isArray(data.tracks) && data.tracks.length === data.robots && samples > 0 &&
+    data.tracks.every((track) => isTrack(track, samples));
+}
+
+/* An index that may be left out; -1 and null say the same. */
+const isIndex = (value, count) => value == null || (Number.isInteger(value) && value >= -1 && value < count);
+
+function isEvent(event, data) {
+  return Boolean(event) && finite(event.t) && typeof event.kind === "string" &&
+    isIndex(event.robot, data.robots) && isIndex(event.place, data.places.length);
+}
+
+const isEvents = (list, data) => Array.isArray(list) && list.every((event) => isEvent(event, data));
+
+/* The first part that a page cannot be drawn without and that is not there; null: all is well. */
+function damagedPart(data, live) {
+  const recorded = [
+    ["tick", () => data.tick > 0],
+    ["duration", () => data.duration > 0],
+    ["tracks", () => isTracks(data)],
+  ];
+  const parts = [
+    ["map", () => isMap(data.map)],
+    ["robots", () => Number.isInteger(data.robots) && data.robots > 0],
+    ["places", () => Array.isArray(data.places) && data.places.every(isPlace)],
+    ["starts", () => isPoints(data.starts) && data.starts.length === data.robots],
+    ["routes", () => Array.isArray(data.routes) && data.routes.every(isPoints)],
+    ["plan", () => isPoints(data.plan)],
+    ...(live ? [] : recorded),
+    ["events", () => (live && !data.events) || isEvents(data.events, data)],
+  ];
+  return parts.find(([, isSound]) => !isSound())?.[0] ?? null;
+}
+
+/* One sentence on what is wrong with the data; null: nothing is. */
+function problemOf(data, live) {
+  if (data === null || typeof data !== "object") return "This page holds no replay: the host program puts one in.";
+  if (data.format !== 1) return `This page reads replays of format 1, and this one is of format ${data.format}.`;
+  const part = damagedPart(data, live);
+  return part === null ? null : `This replay is damaged: its ${part} cannot be read.`;
+}
+
+/* ---- the model: the JSON, with tracks in cells and radians that a live run can add to ---- */
+
+const byTime = (a, b) => a.t - b.t;
+
+function modelOf(data) {
+  const samples = data.tracks ? data.tracks[0].x.length : 0;
+  const hundredths = (list) => Array.from(list, (value) => value / 100);
+  return {
+    data,
+    times: Array.from({ length: samples }, (_, k) => k * data.tick),
+    tracks: Array.from({ length: data.robots }, (_, r) => ({
+      x: hundredths(data.tracks?.[r].x ?? []),
+      y: hundredths(data.tracks?.[r].y ?? []),
+      heading: hundredths(data.tracks?.[r].heading ?? []),
+    })),
+    events: [...(data.events ?? [])].sort(byTime),
+    duration: data.duration ?? 0,
+    result: data.result ?? null,
+  };
+}
+
+/* Where robot r is at t: {x, y, heading}, between the samples by straight lines. */
+function poseAt(model, r, t) {
+  const { times } = model, track = model.tracks[r];
+  if (times.length === 0) return { x: model.data.starts[r][0], y: model.data.starts[r][1], heading: 0 };
+  const a = Math.max(0, countUntil(times, t) - 1), b = Math.min(a + 1, times.length - 1);
+  const part = b > a ? clamp((t - times[a]) / (times[b] - times[a]), 0, 1) : 0;
+  const between = (list) => list[a] + (list[b] - list[a]) * part;
+  const turn = Math.atan2(Math.sin(track.heading[b] - track.heading[a]), Math.cos(track.heading[b] - track.heading[a]));
+  return { x: between(track.x), y: between(track.y), heading: track.heading[a] + turn * part };
+}
+
+const validIndex = (value) => Number.isInteger(value) && value >= 0;
+
+/* A robot that acts again was not stopped or stuck for good; a lost one stays lost. */
+function passRobot(state, event) {
+  const robot = state.robots[event.robot];
+  if (!robot || robot.kind === "lost") return;
+  if (["stopped", "lost", "stuck"].includes(event.kind)) Object.assign(robot, { kind: event.kind, since: event.t });
+  else if (!FAULTS.has(event.kind)) robot.kind = "moving";
+}
+
+/* A place counts once, and one where a mine was found was scanned, whether or not an event of its own says so. */
+function passPlace(state, event, model) {
+  if (!validIndex(event.place)) return;
+  const place = state.places[event.place];
+  const isFind = event.kind === "found";
+  if ((isFind || event.kind === "scanned") && place.at === null) {
+    place.at = event.t;
+    state.scanned++;
+    state.likelihood += model.data.places[event.place].likelihood;
+    state.curve.push([event.t, state.likelihood]);
+  }
+  if (isFind && place.found === null) {
+    place.found = event.t;
+    state.finds++;
+  }
+}
+
+/* What the events so far say; `passed` is how many there were. */
+function stateAfter(model, passed) {
+  const state = {
+    passed, scanned: 0, faults: 0, likelihood: 0, curve: [], finds: 0,
+    robots: Array.from({ length: model.data.robots }, () => ({ kind: "moving", since: 0 })),
+    places: model.data.places.map(() => ({ at: null, found: null })),
+  };
+  for (const event of model.events.slice(0, passed)) {
+    if (FAULTS.has(event.kind)) state.faults++;
+    passRobot(state, event);
+    passPlace(state, event, model);
+  }
+  return state;
+}
+
+/* As the host says once the run has ended; until then the first find seen. */
+function foundAt(model) {
+  if (model.result) return model.result.found_at;
+  return model.events.find((event) => event.kind === "found")?.t ?? null;
+}
+
+function expectedAt(model, t) {
+  const steps = countUntil(model.data.plan, t, (step) => step[0]);
+  return steps > 0 ? model.data.plan[steps - 1][1] : 0;
+}

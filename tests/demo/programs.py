@@ -1,0 +1,159 @@
+"""The demo's programs in networks of their own: what their tests share."""
+
+import argparse
+import collections
+import json
+import os
+import re
+import shutil
+import sys
+import unittest
+from pathlib import Path
+
+import lcmlog
+import network
+from lcmlog import COMMAND, DONE, FOUND, POSE, SCAN, STATUS, TERMINATE
+from network import Network
+from side_by_side import Runner
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+MISSIONS = ROOT / "demo" / "missions"
+MISSION = MISSIONS / "minefield" / "mission.yaml"
+TICK = 0.05
+LINE = re.compile(r'<script id="replay" type="application/json">(.*?)</script>', re.DOTALL)
+asked = argparse.Namespace()  # the command line, and what prepare() made
+
+
+def program(name, *words):
+    return asked.programs / name, *words
+
+
+def demo(*words):
+    return program("quarter-demo", MISSION, "--table", asked.table, *words)
+
+
+def world(*words):
+    return program("quarter-world", MISSION, "--table", asked.table, *words)
+
+
+def robot(number, *words):
+    return program("quarter-robot", asked.table, "--robot", number, *words)
+
+
+def page_data(path):
+    return json.loads(LINE.search(Path(path).read_text(encoding="utf-8"))[1])
+
+
+def prepare():
+    """One table for all tests, what it plans, and the places that it reaches soon."""
+    folder = Path("prepared").resolve()
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir()
+    asked.table = folder / "mission.qtr"
+    status, _, errors = network.Program(
+        program("quarter-demo", MISSION, "--learn-limit", 2, "--save-table", asked.table, "--mine", "none", "-o",
+                folder / "plan.html", "--quiet")).end()
+    assert status == 0, errors
+    asked.plan = page_data(folder / "plan.html")
+    asked.robots, asked.places = len(asked.plan["starts"]), len(asked.plan["places"])
+    planned = sorted((place["planned"], number) for number, place in enumerate(asked.plan["places"])
+                     if place["planned"] is not None)
+    asked.soon = [number for seconds, number in planned if seconds < 20]  # the soonest first
+    assert len(asked.soon) >= 2, planned
+
+
+def is_found(channel, data):
+    return channel == "QUARTER_TERMINATE" and TERMINATE.decode(data)["signal"] == FOUND
+
+
+def drives(order):
+    return bool(order["left"] or order["right"])
+
+
+def note_order(stands_since, robot, order, seconds):
+    """Keep since when each robot stands."""
+    if drives(order):
+        stands_since.pop(robot, None)
+    else:
+        stands_since.setdefault(robot, seconds)
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(self.id().rpartition(".")[2]).resolve()
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir()
+
+    def network(self, **options):
+        return self.enterContext(Network(**options))
+
+    def line(self, ended, status, *says):
+        """It ended with this status, silent but for one line that says these."""
+        self.assertEqual(ended[0], status, ended)
+        self.assertEqual(ended[1], "")
+        self.assertEqual(len(ended[2].splitlines()), 1, ended[2])
+        for words in says:
+            self.assertIn(words, ended[2])
+
+    def play(self, net, *words, name="game"):
+        """A game in processes: (what its JSON says, the programs' standard error). Nobody is left behind."""
+        outputs = "--json", "--log", self.folder / f"{name}.lcm", "-o", self.folder / f"{name}.html"
+        status, output, errors = net.run(*demo("--processes", *outputs, *words))
+        self.assertEqual(status, 0, errors)
+        self.assertEqual(net.inhabitants(), [])
+        return json.loads(output), errors
+
+    def check_messages(self, path, game):
+        """A log against the JSON of its game, whatever was lost: {kind: how many}."""
+        sent = collections.Counter()
+        last = 0
+        for time, channel, data in lcmlog.read(path):
+            kind, number = lcmlog.type_of(channel)
+            message = kind.decode(data)
+            self.assertLess(8 + len(channel) + 1 + len(data), 1400)
+            self.assertEqual(time, message["utime"])
+            sent[channel.rpartition("_")[2].lower()] += 1
+            if number is not None:
+                self.assertEqual(message["robot"], number)
+                self.assertLess(number, game["robots"])
+            if kind is TERMINATE:
+                self.assertIn(message["signal"], (FOUND, DONE))
+                self.assertIn(message["sender"], range(game["robots"]))
+                self.assertIn(message["territory"], range(game["robots"]))
+            if kind in (POSE, SCAN, STATUS):
+                self.assertGreaterEqual(time, last)
+                last = time
+        self.assertLess(last / 1e6, game["duration"])
+        self.assertEqual(sent["command"], game["result"]["messages"]["command"])
+        self.assertEqual(sent["terminate"], game["result"]["messages"]["terminate"])
+        return sent
+
+    def check_story(self, path, game):
+        """Where nothing was lost, a log tells when it was found and when each robot stopped."""
+        mine_seen, poses = [], collections.defaultdict(list)
+        stands_since = {}
+        for time, channel, data in lcmlog.read(path):
+            kind, number = lcmlog.type_of(channel)
+            message = kind.decode(data)
+            if kind is POSE:
+                poses[number].append(round(time / 1e6 / TICK))
+            if kind is SCAN and message["mine"]:
+                mine_seen.append(time / 1e6)
+            if kind is COMMAND:
+                note_order(stands_since, number, message, time / 1e6)
+        for ticks in poses.values():
+            self.assertEqual(sorted(set(ticks)), list(range(ticks[-1] + 1)))
+        self.assertEqual(mine_seen[:1], [game["result"]["found_at"]] if game["result"]["found_at"] is not None else [])
+        self.assertEqual(len(stands_since), game["robots"])
+        return max(stands_since.values())
+
+
+def main(description, *needed):
+    """Run the tests of the program that is started, with --programs FOLDER and what else it needs: a folder each."""
+    parser = argparse.ArgumentParser(description=description)
+    for name in ("programs", *needed):
+        parser.add_argument(f"--{name}", required=True, type=lambda text: Path(text).resolve())
+    words = parser.parse_known_args(namespace=asked)[1]
+    os.environ.pop("LCM_DEFAULT_URL", None)
+    prepare()
+    unittest.main(argv=[sys.argv[0], *words], testRunner=Runner)
