@@ -15,7 +15,7 @@ LOCALE = re.compile(r"\bread_text\(\)|\bwrite_text\((?!.*encoding=)|\btext=True|
 LEFT_OUT = {"bench"}  # measures
 NAMES = "check_waits.py"
 CLOCKS = {"anywhere/silence.py": "time.monotonic()",  # measures: no test waits for what it says
-          "test_stop.c": "clock_gettime(clock, &used)"}  # the tool's processor time, which stands still while the tool does
+          "tools/test_stop.c": "clock_gettime(clock, &used)"}  # the tool's processor time, which stands still while the tool does
 
 
 def faults_of(text, python, clock=None):

@@ -53,7 +53,7 @@ static int learn_table(table *t, double seconds, fault *why) {
   int32_t status = t->bytes.data != NULL ? qtr_export(&learnt->learner, t->bytes.data, size) : QTR_ERR_SPACE;
   if (status > 0) status = qtr_policy_open(&t->policy, t->bytes.data, size);
   if (status == QTR_OK) return 0;
-  free(t->bytes.data);
+  table_free(t);
   return not_learnt(status, why);
 }
 

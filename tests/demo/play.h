@@ -8,7 +8,7 @@
 #include "game.h"
 #include "plan.h"
 #include "support/random.h"
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 /* More than any learning here takes: each ends by its certificate or by its number of games, never by the clock, so that a
  * test plays the same games on every machine. */

@@ -118,6 +118,9 @@ static int keep_json(void *user, const arena *a, const game_result *result, faul
 /* Play the plan and keep its JSON, and its page if there is a path for one. */
 static void record_game(game_setup setup, const char *page) {
   page_path = page;
+  /* What was read is known by its number, which a file that was removed leaves to the next one: the page of the game before
+   * may bear that of a mission's file of before, and would be spared. */
+  if (page != NULL) remove(page);
   record_begin(&r, &play_plan);
   setup.user = &r;
   setup.watch = record_watch;

@@ -1,6 +1,6 @@
 /* Every reader on every prefix of a valid file and on thousands of damaged ones: it reads, or says why not in one line.
  * Under a sanitizer this also shows that nothing is read or written where it should not be, and nothing leaks. */
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 #define YAML                                                                                                           \
   "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\nmode: "    \

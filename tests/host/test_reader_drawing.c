@@ -1,5 +1,5 @@
 #include "host/input/frame.h"
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 void setUp(void) {
   scratch_open();

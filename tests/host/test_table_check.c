@@ -4,7 +4,7 @@
 
 #include "host/table/table_check.h"
 #include "support/tables.h"
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 #define FORGED QUARTER_SOURCE_DIR "/tests/data/forged/"
 

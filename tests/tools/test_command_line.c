@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 static tool_result result;
 

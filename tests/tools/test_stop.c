@@ -8,7 +8,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 #define LONG QUARTER_SOURCE_DIR "/tests/data/long.txt"
 

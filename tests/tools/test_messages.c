@@ -1,5 +1,5 @@
 /* What a new user gets wrong, and what is said: one line that names the file or the word, the fault and the mend. */
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 static tool_result r;
 

@@ -1,7 +1,7 @@
 /* What `--c` names the array: a name that compiles, whatever the file is called. */
 #include "carray.h"
 #include "cname.h"
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 void setUp(void) {
 }

@@ -1,5 +1,5 @@
 /* What the tool calls optimal, and what it does not: where sums of doubles tell plans apart no longer, it says so. */
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 enum { SPAN = 2301 };
 

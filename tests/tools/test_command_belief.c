@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 /* Places: 0 at column 1, row 1, weight 1; 1 at column 3, row 1, weight 3; 2 at column 0, row 3, weight 1. */
 #define SMALL "S...\n#1.3\n...#\n1...\n"

@@ -4,7 +4,7 @@
 #include <ctype.h>
 #include <stdbool.h>
 
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 void setUp(void) {
 }

@@ -1,5 +1,5 @@
 /* The tool against exact optima that were found elsewhere (tests/data/reference), and against its own exact solver. */
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 static tool_result learnt, solved;
 

@@ -1,4 +1,4 @@
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 void setUp(void) {
   scratch_open();

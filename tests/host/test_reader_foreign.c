@@ -1,5 +1,5 @@
 /* Files of other trades are named as what they are, as an input, as a mission's map and as its places. */
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 void setUp(void) {
   scratch_open();

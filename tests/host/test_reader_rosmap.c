@@ -1,6 +1,6 @@
 #include "host/input/frame.h"
 #include "host/input/rosmap.h"
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 #define YAML(more) "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\noccupied_thresh: 0.6\nfree_thresh: 0.2\n" more
 #define MISSION(more) "map: m.yaml\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 0}]\n" more

@@ -1,5 +1,5 @@
 /* One numbering of the places, the input's, whichever are left out; and notes in text and JSON. */
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 /* Place 0 is out of reach, place 1 on an obstacle; what is left are the input's 2 and 3. */
 static void write_mission(void) {

@@ -2,7 +2,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 #define SMALL "S...\n#1.3\n...#\n1...\n"
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "host/input/pixels.h"
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 #define SIDE 24
 

@@ -1,6 +1,6 @@
 #include <sys/stat.h>
 
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 #define HEAD "map: a.txt\nrobots: [{column: 0, row: 0}]\n"
 

@@ -1,4 +1,4 @@
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 #define MISSION "map: a.map\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 3, row: 1}]\n"
 

@@ -4,7 +4,7 @@
 #include <ctype.h>
 
 #include "options.h"
-#include "tool_run.h"
+#include "support/tool_run.h"
 
 enum { OPTIONS_MOST = 64 };
 

@@ -1,6 +1,6 @@
 /* ROS maps whose origin has a yaw: positions in metres are turned into the grid of the image. */
 #include "host/input/frame.h"
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 void setUp(void) {
   scratch_open();

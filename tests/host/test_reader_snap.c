@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "host/input/frame.h"
-#include "reader_scratch.h"
+#include "support/reader_scratch.h"
 
 /* Column 0 to 6, rows 0 to 4; a wall with a gap, and a pocket of a cell that nobody gets to. */
 #define AREA                                                                                                           \
