@@ -234,7 +234,7 @@ static void test_visits_under_way_are_counted_to_the_step(void) {
   mission_crew(&mission, 2);
   set_up_game();
   qtr_bound_init(&bound, &ground, visit);
-  qtr_joint_start(&joint, &game.board, NULL);
+  qtr_joint_start(&joint, &game.board, NULL, NULL);
   qtr_joint_choose(&joint, &game.board, 0, 0);
   qtr_joint_choose(&joint, &game.board, 1, 1);
   TEST_ASSERT_TRUE(fabs(bound_of(&joint, 0, 1.0) - 10.0 * pow(0.99, 3)) < 1e-12);
@@ -257,7 +257,7 @@ static void test_worth_that_underflows_is_still_a_number(void) {
   visit[1] = 6;
   visit[2] = 11;
   qtr_bound_init(&bound, &ground, visit);
-  qtr_joint_start(&joint, &game.board, NULL);
+  qtr_joint_start(&joint, &game.board, NULL, NULL);
   qtr_joint_choose(&joint, &game.board, 0, 0);
   const double most = bound_of(&joint, 5000, 1.0);
   TEST_ASSERT_TRUE_MESSAGE(most >= 10.0 / 3.0, "not a bound where gamma^t is 0");

@@ -72,8 +72,8 @@ static void test_learner_refuses_callers_of_other_sizes(void) {
   table_draw("1..S..2/..1...S", 0);
   const size_t some = 4096; /* of what is too large to be looked at whole */
   memset(&table_learner.table, 0xA5, some);
-  expect_refused(qtr_qtable_init_built(&table_learner.table, &table_game.board, false, FOREIGN), &table_learner.table,
-                 some);
+  expect_refused(qtr_qtable_init_built(&table_learner.table, &table_game.board.keys, false, FOREIGN),
+                 &table_learner.table, some);
   memset(&table_learner.bound, 0xA5, some);
   expect_refused(qtr_bound_init_built(&table_learner.bound, &table_ground, visit, FOREIGN), &table_learner.bound, some);
   memset(&table_learner, 0xA5, some);

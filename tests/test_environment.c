@@ -56,7 +56,7 @@ static void expect_same_key(const qtr_situation *situation, const qtr_state *sta
   qtr_key seen, true_key;
   qtr_environment_key(&ground, situation, &seen);
   qtr_joint_key(&true_key, &state->joint, &game.board);
-  TEST_ASSERT_EQUAL_MEMORY_MESSAGE(true_key.word, seen.word, 4u * game.board.key_words, case_note);
+  TEST_ASSERT_EQUAL_MEMORY_MESSAGE(true_key.word, seen.word, 4u * game.board.keys.words, case_note);
 }
 
 static void test_without_aggregation_it_is_the_game(void) {
@@ -96,7 +96,7 @@ static qtr_spots_config random_spots(test_random *random) {
 /* Steps of the visits, walked place by place. */
 static qtr_steps walk_tour(qtr_steps *visit, unsigned node, qtr_steps now, const qtr_tour *tour) {
   for (unsigned i = 0; i < tour->places; i++) {
-    now += qtr_board_steps(&game.board, node, tour->place[i]);
+    now += qtr_board_steps(&game.board, QTR_ANY_SEEKER, node, tour->place[i]);
     if (visit[tour->place[i]] > now) visit[tour->place[i]] = now;
     node = tour->place[i];
   }
@@ -260,7 +260,7 @@ static void test_cells_of_one_region_share_their_key_and_others_do_not(void) {
     qtr_environment_key(&aggregate, &situation, &first);
     situation.cell[0] = (qtr_cell)cell;
     qtr_environment_key(&aggregate, &situation, &other);
-    const bool same = memcmp(first.word, other.word, 4u * aggregate.key_board.key_words) == 0;
+    const bool same = memcmp(first.word, other.word, 4u * aggregate.keys.words) == 0;
     TEST_ASSERT_EQUAL(cell < 3, same);
   }
 }

@@ -52,8 +52,8 @@ static void test_seekers_on_one_cell_share_a_start(void) {
   TEST_ASSERT_EQUAL(0, game.board.start_of[0]);
   TEST_ASSERT_EQUAL(1, game.board.start_of[1]);
   TEST_ASSERT_EQUAL(0, game.board.start_of[2]);
-  TEST_ASSERT_EQUAL_UINT32(2, qtr_board_steps(&game.board, 1, 0));
-  TEST_ASSERT_EQUAL_UINT32(2, qtr_board_steps(&game.board, 2, 0));
+  TEST_ASSERT_EQUAL_UINT32(2, qtr_board_steps(&game.board, QTR_ANY_SEEKER, 1, 0));
+  TEST_ASSERT_EQUAL_UINT32(2, qtr_board_steps(&game.board, QTR_ANY_SEEKER, 2, 0));
 }
 
 static void test_travel_times_are_those_of_the_map(void) {
@@ -68,7 +68,7 @@ static void test_travel_times_are_those_of_the_map(void) {
       for (unsigned place = 0; place < mission.places; place++) {
         const long way = steps[mission.place[place]];
         TEST_ASSERT_EQUAL_UINT32_MESSAGE(way < 0 ? QTR_NEVER : (qtr_steps)way,
-                                         qtr_board_steps(&game.board, node, place), case_note);
+                                         qtr_board_steps(&game.board, QTR_ANY_SEEKER, node, place), case_note);
       }
     }
   }

@@ -53,8 +53,8 @@ static void say_header(void) {
   const qtr_board *board = &policy.board;
   say("digest %08lx\n", (unsigned long)qtr_policy_digest(&policy));
   say("places %u robots %u starts %u rule %u longest way %lu\n", board->places, board->seekers, board->starts,
-      board->rule, (unsigned long)board->longest);
-  say("records %lu of %u-word keys, %u bits\n", (unsigned long)policy.records, board->key_words, board->key_bits);
+      board->rule, (unsigned long)board->keys.longest);
+  say("records %lu of %u-word keys, %u bits\n", (unsigned long)policy.records, board->keys.words, board->keys.bits);
   say("objective %u certified %u\n", bytes[QTR_POLICY_OBJECTIVE], bytes[QTR_POLICY_CERTIFIED]);
   say_double("gamma", QTR_POLICY_GAMMA);
   say_double("value", QTR_POLICY_VALUE);
@@ -90,7 +90,7 @@ static void say_routes(const char *name, const qtr_places *cleared) {
     qtr_steps now = 0;
     uint16_t place;
     say("%s: robot %d:", name, seeker);
-    qtr_joint_start(&joint, &policy.board, cleared);
+    qtr_joint_start(&joint, &policy.board, NULL, cleared);
     while ((place = qtr_policy_play(&policy, &joint, seeker, &now, &off_table)) != QTR_STAND_DOWN)
       say(" %u@%lu", place, (unsigned long)now);
     say(" done@%lu\n", (unsigned long)now);

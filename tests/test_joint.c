@@ -49,7 +49,7 @@ static void corridor(uint8_t rule, unsigned places, const unsigned *at, unsigned
   for (unsigned q = 0; q < places; q++)
     for (unsigned p = 0; p < places; p++) set_steps(q, p, apart(at[q], at[p]));
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
-  qtr_joint_start(&joint, &board, NULL);
+  qtr_joint_start(&joint, &board, NULL, NULL);
 }
 
 static void expect_choices(int seeker, uint32_t places, bool may_stand_down) {
@@ -75,7 +75,7 @@ static bool choose(int seeker, uint16_t choice) {
 
 static void test_two_seekers_share_three_places(void) {
   corridor(QTR_RULE_FREE, 3, (unsigned[]){0, 6, 10}, 2, (unsigned[]){4, 4});
-  TEST_ASSERT_EQUAL_UINT32(10, board.longest);
+  TEST_ASSERT_EQUAL_UINT32(10, board.keys.longest);
   expect_choices(0, 7, true);
   TEST_ASSERT_FALSE(choose(0, 1));
   expect_choices(1, 5, true);
@@ -174,8 +174,8 @@ static void test_cut_off_seeker_keeps_to_its_side(void) {
   const unsigned none[4][2] = {{0, 1}, {1, 0}, {2, 1}, {3, 0}}; /* node, place without a way */
   for (int i = 0; i < 4; i++) set_steps(none[i][0], none[i][1], QTR_NEVER);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
-  TEST_ASSERT_EQUAL_UINT32(4, board.longest);
-  qtr_joint_start(&joint, &board, NULL);
+  TEST_ASSERT_EQUAL_UINT32(4, board.keys.longest);
+  qtr_joint_start(&joint, &board, NULL, NULL);
   expect_choices(0, 1, false); /* nobody else can come here */
   choose(0, 0);
   expect_choices(1, 2, false);
@@ -186,12 +186,12 @@ static void test_cleared_places_are_visited_from_the_start(void) {
   corridor(QTR_RULE_FREE, 3, (unsigned[]){0, 6, 10}, 2, (unsigned[]){4, 4});
   qtr_places_clear(&cleared);
   qtr_places_add(&cleared, 1);
-  qtr_joint_start(&joint, &board, &cleared);
+  qtr_joint_start(&joint, &board, NULL, &cleared);
   TEST_ASSERT_EQUAL_UINT16(2, joint.unvisited);
   expect_choices(0, 5, true);
   qtr_places_add(&cleared, 0);
   qtr_places_add(&cleared, 2);
-  qtr_joint_start(&joint, &board, &cleared);
+  qtr_joint_start(&joint, &board, NULL, &cleared);
   TEST_ASSERT_EQUAL_UINT16(0, joint.unvisited);
   TEST_ASSERT_EQUAL_HEX16(QTR_STAND_DOWN, joint.node[0]);
   expect_advance(0, 0);
@@ -203,7 +203,7 @@ static void test_cleared_bits_beyond_the_places_mean_nothing(void) {
   memset(&cleared, 0xFF, sizeof cleared);
   corridor(QTR_RULE_FREE, 3, (unsigned[]){0, 6, 10}, 1, (unsigned[]){4});
   qtr_places_remove(&cleared, 1);
-  qtr_joint_start(&joint, &board, &cleared);
+  qtr_joint_start(&joint, &board, NULL, &cleared);
   TEST_ASSERT_EQUAL_UINT16(1, joint.unvisited);
   TEST_ASSERT_EQUAL_HEX32(5, joint.visited.word[0]);
 }
@@ -243,8 +243,8 @@ static void test_travel_times_that_might_overflow_are_refused(void) {
  * place, the start, stood down; 0 to 10 steps), the visited places 8: 55 * 55 * 8 = 24200 keys, 15 bits. */
 static void test_key_takes_the_bits_that_its_radices_need(void) {
   corridor(QTR_RULE_FREE, 3, (unsigned[]){0, 6, 10}, 2, (unsigned[]){4, 4});
-  TEST_ASSERT_EQUAL_UINT16(15, board.key_bits);
-  TEST_ASSERT_EQUAL_UINT8(1, board.key_words);
+  TEST_ASSERT_EQUAL_UINT16(15, board.keys.bits);
+  TEST_ASSERT_EQUAL_UINT8(1, board.keys.words);
 }
 
 static void test_key_by_hand(void) {
@@ -270,10 +270,10 @@ static void test_largest_board_has_keys_within_the_array(void) {
     for (unsigned place = 0; place < QTR_MAX_PLACES; place++)
       set_steps(node, place, (QTR_NEVER - 1) / (QTR_MAX_PLACES + 1));
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
-  TEST_ASSERT_LESS_OR_EQUAL(QTR_KEY_WORDS, board.key_words);
-  TEST_ASSERT_LESS_OR_EQUAL(32 * board.key_words, board.key_bits);
-  TEST_ASSERT_GREATER_THAN(32 * (board.key_words - 1), board.key_bits);
-  qtr_joint_start(&joint, &board, NULL);
+  TEST_ASSERT_LESS_OR_EQUAL(QTR_KEY_WORDS, board.keys.words);
+  TEST_ASSERT_LESS_OR_EQUAL(32 * board.keys.words, board.keys.bits);
+  TEST_ASSERT_GREATER_THAN(32 * (board.keys.words - 1), board.keys.bits);
+  qtr_joint_start(&joint, &board, NULL, NULL);
   qtr_joint_key(&key, &joint, &board);
 }
 
@@ -346,7 +346,7 @@ static void test_random_plays_keep_to_the_papers_rules(void) {
     brute_set_up(&brute, &mission);
     board_of_brute();
     brute_begin(&brute, &state);
-    qtr_joint_start(&joint, &board, NULL);
+    qtr_joint_start(&joint, &board, NULL, NULL);
     expect_same_state(&state);
     for (bool on = true; on;) {
       const int seeker = brute_chooser(&brute, &state);
@@ -383,7 +383,7 @@ static bool is_same(const qtr_joint *a, const qtr_joint *b) {
 static unsigned gather_states(test_random *random, unsigned most) {
   unsigned count = 0;
   while (count < most) {
-    qtr_joint_start(&joint, &board, NULL);
+    qtr_joint_start(&joint, &board, NULL, NULL);
     for (bool on = true; on && count < most;) {
       const int seeker = qtr_joint_chooser(&joint, &board);
       qtr_places choices;
@@ -404,8 +404,8 @@ static unsigned gather_states(test_random *random, unsigned most) {
 }
 
 static void expect_key_within_the_greatest(const qtr_key *key) {
-  const unsigned top = board.key_bits - 32u * (board.key_words - 1u);
-  TEST_ASSERT_TRUE_MESSAGE(top == 32 || key->word[board.key_words - 1] >> top == 0, case_note);
+  const unsigned top = board.keys.bits - 32u * (board.keys.words - 1u);
+  TEST_ASSERT_TRUE_MESSAGE(top == 32 || key->word[board.keys.words - 1] >> top == 0, case_note);
 }
 
 static void test_keys_are_equal_if_and_only_if_states_are(void) {
@@ -420,7 +420,7 @@ static void test_keys_are_equal_if_and_only_if_states_are(void) {
     for (unsigned i = 0; i < count; i++) {
       expect_key_within_the_greatest(&pool[i].key);
       for (unsigned j = 0; j < i; j++) {
-        const bool keys = memcmp(pool[i].key.word, pool[j].key.word, 4u * board.key_words) == 0;
+        const bool keys = memcmp(pool[i].key.word, pool[j].key.word, 4u * board.keys.words) == 0;
         if (keys != is_same(&pool[i].joint, &pool[j].joint)) TEST_FAIL_MESSAGE(case_note);
         equal += keys;
       }
@@ -446,7 +446,7 @@ static void test_long_keys_tell_states_apart(void) {
     for (unsigned i = 0; i < count; i++) {
       expect_key_within_the_greatest(&pool[i].key);
       for (unsigned j = 0; j < i; j++) {
-        const bool keys = memcmp(pool[i].key.word, pool[j].key.word, 4u * board.key_words) == 0;
+        const bool keys = memcmp(pool[i].key.word, pool[j].key.word, 4u * board.keys.words) == 0;
         if (keys != is_same(&pool[i].joint, &pool[j].joint)) TEST_FAIL_MESSAGE(case_note);
       }
     }

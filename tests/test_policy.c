@@ -79,7 +79,7 @@ static void test_table_is_read_at_any_address(void) {
     make_table();
     memcpy(shifted + shift, table_bytes, table_size);
     TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_open(&policy, shifted + shift, table_size));
-    qtr_joint_start(&joint, &policy.board, NULL);
+    qtr_joint_start(&joint, &policy.board, NULL, NULL);
     TEST_ASSERT_TRUE(qtr_policy_lookup(&policy, &joint, &choice));
     TEST_ASSERT_EQUAL_HEX16(qtr_learner_best(&table_learner)->choice[0], choice);
   }
@@ -214,14 +214,14 @@ static void test_travel_time_that_might_overflow_is_refused(void) {
 
 static void test_choices_out_of_range_are_refused(void) {
   make_table();
-  const uint32_t choice = records_at() + 4u * policy.board.key_words;
+  const uint32_t choice = records_at() + 4u * policy.board.keys.words;
   expect_field(QTR_ERR_CORRUPT, choice, 4, 2);
   expect_field(QTR_ERR_CORRUPT, choice, 0xFFFE, 2);
 }
 
 static void test_records_out_of_order_or_twice_are_refused(void) {
   make_table();
-  const uint32_t bytes = 4u * policy.board.key_words + 4;
+  const uint32_t bytes = 4u * policy.board.keys.words + 4;
   uint8_t *first = copy + records_at();
   memcpy(first, table_bytes + records_at() + bytes, bytes);
   table_seal(copy, table_size);
@@ -234,7 +234,7 @@ static void test_records_out_of_order_or_twice_are_refused(void) {
 static void test_table_of_a_build_that_plays_otherwise_is_refused(void) {
   make_table();
   expect_field(QTR_ERR_SELFTEST, QTR_POLICY_DIGEST, load32_le(table_bytes + QTR_POLICY_DIGEST) ^ 1, 4);
-  expect_field(QTR_ERR_SELFTEST, QTR_POLICY_KEY_WORDS, policy.board.key_words + 1, 1);
+  expect_field(QTR_ERR_SELFTEST, QTR_POLICY_KEY_WORDS, policy.board.keys.words + 1, 1);
 }
 
 /* The start state's record says another place: the game is no longer that of the digest. */
@@ -243,9 +243,9 @@ static void test_record_that_changes_the_game_is_refused(void) {
   qtr_key key;
   uint32_t at = records_at();
   make_table();
-  qtr_joint_start(&start, &policy.board, NULL);
+  qtr_joint_start(&start, &policy.board, NULL, NULL);
   qtr_joint_key(&key, &start, &policy.board);
-  TEST_ASSERT_EQUAL_UINT8(1, policy.board.key_words);
+  TEST_ASSERT_EQUAL_UINT8(1, policy.board.keys.words);
   while (load32_le(table_bytes + at) != key.word[0]) at += 8;
   const uint32_t choice = load16_le(table_bytes + at + 4);
   for (uint32_t other = 0; other < 4; other++)
@@ -316,7 +316,7 @@ static void test_forged_tables_are_refused_or_harmless(void) {
 /* ---- off the table ---- */
 
 static void forget_records(void) {
-  const uint32_t bytes = policy.records * (4u * policy.board.key_words + 4);
+  const uint32_t bytes = policy.records * (4u * policy.board.keys.words + 4);
   const uint32_t at = (uint32_t)(policy.record - table_bytes);
   memmove(copy + at, copy + at + bytes, table_size - at - bytes);
   table_size -= bytes;
@@ -332,7 +332,7 @@ static void expect_off_table(const char *rows, uint16_t expected) {
   memcpy(copy, table_bytes, table_size);
   table_open(&policy);
   forget_records();
-  qtr_joint_start(&joint, &policy.board, NULL);
+  qtr_joint_start(&joint, &policy.board, NULL, NULL);
   TEST_ASSERT_EQUAL_HEX16_MESSAGE(expected, qtr_policy_choose(&policy, &joint, 0, &off_table), rows);
   TEST_ASSERT_TRUE(off_table);
   TEST_ASSERT_EQUAL_HEX16(expected, qtr_policy_choose(&policy, &joint, 0, NULL));
@@ -356,7 +356,7 @@ static void test_off_the_table_a_place_at_no_distance_comes_first(void) {
   memcpy(copy, table_bytes, table_size);
   table_open(&policy);
   forget_records();
-  qtr_joint_start(&joint, &policy.board, NULL);
+  qtr_joint_start(&joint, &policy.board, NULL, NULL);
   TEST_ASSERT_EQUAL_HEX16(1, qtr_policy_choose(&policy, &joint, 0, NULL));
 }
 
@@ -369,7 +369,7 @@ static void test_cleared_places_lead_off_the_table_and_are_counted(void) {
   table_open(&policy);
   qtr_places_clear(&cleared);
   qtr_places_add(&cleared, 1);
-  qtr_joint_start(&joint, &policy.board, &cleared);
+  qtr_joint_start(&joint, &policy.board, NULL, &cleared);
   TEST_ASSERT_EQUAL_HEX16(2, qtr_policy_play(&policy, &joint, 0, &now, &off_table)); /* 3/6 > 1/5 */
   TEST_ASSERT_EQUAL_HEX16(0, qtr_policy_play(&policy, &joint, 0, &now, &off_table));
   TEST_ASSERT_EQUAL_UINT32(6, now);
@@ -387,7 +387,7 @@ static void test_states_of_the_nominal_game_are_never_off_the_table(void) {
     for (int seeker = 0; seeker < policy.board.seekers; seeker++) {
       qtr_joint joint;
       uint32_t off_table = 0;
-      qtr_joint_start(&joint, &policy.board, NULL);
+      qtr_joint_start(&joint, &policy.board, NULL, NULL);
       while (qtr_policy_play(&policy, &joint, seeker, NULL, &off_table) != QTR_STAND_DOWN) {}
       TEST_ASSERT_EQUAL_UINT32_MESSAGE(0, off_table, case_note);
     }

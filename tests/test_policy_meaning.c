@@ -283,7 +283,7 @@ static void test_bytes_kept_for_later_are_0(void) {
   }
   expect_byte(QTR_POLICY_HEADER_BYTES + 2, 1); /* beside the one seat */
   expect_byte(QTR_POLICY_HEADER_BYTES + 3, 1);
-  expect_byte(offset_of(policy.record) + 4u * policy.board.key_words + 2, 1);
+  expect_byte(offset_of(policy.record) + 4u * policy.board.keys.words + 2, 1);
   expect_byte(table_size - 1, 0xFF); /* the eighth of seven cells */
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/bytes.h"
+#include "quarter/board.h"
 #include "quarter/qtable.h"
 #include "quarter/status.h"
 #include "support/random.h"
@@ -37,17 +38,17 @@ static void set_board(unsigned places, unsigned seekers, unsigned longest) {
   for (unsigned i = 0; i < (places + 1) * places; i++) store32_le(steps + 4 * i, longest);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
   memset(table.word, 0xA5, 1 << 14);
-  qtr_qtable_init(&table, &board, precise);
+  qtr_qtable_init(&table, &board.keys, precise);
 }
 
 /* Key number n: all different, all within the board's key bits, and spread over the words. */
 static qtr_key key_of(unsigned n) {
   qtr_key key;
   memset(&key, 0xA5, sizeof key);
-  for (unsigned w = 0; w < board.key_words; w++) key.word[w] = w % 2 == 0 ? n * (w + 1) : ~n;
-  const unsigned top = board.key_bits - 32u * (board.key_words - 1u);
-  if (top < 32) key.word[board.key_words - 1] &= ((uint32_t)1 << top) - 1;
-  if (board.key_words == 1) key.word[0] = n;
+  for (unsigned w = 0; w < board.keys.words; w++) key.word[w] = w % 2 == 0 ? n * (w + 1) : ~n;
+  const unsigned top = board.keys.bits - 32u * (board.keys.words - 1u);
+  if (top < 32) key.word[board.keys.words - 1] &= ((uint32_t)1 << top) - 1;
+  if (board.keys.words == 1) key.word[0] = n;
   return key;
 }
 
@@ -179,7 +180,7 @@ static void test_init_empties_the_table(void) {
   double value;
   set_board(14, 2, 20);
   for (unsigned n = 0; n < 500; n++) set_in_both(n, 1.0);
-  qtr_qtable_init(&table, &board, precise);
+  qtr_qtable_init(&table, &board.keys, precise);
   TEST_ASSERT_EQUAL_UINT32(0, table.entries);
   TEST_ASSERT_EQUAL_UINT32(0, table.refused);
   for (unsigned n = 0; n < 500; n++) {
@@ -190,9 +191,9 @@ static void test_init_empties_the_table(void) {
 
 static qtr_key greatest_key(void) {
   qtr_key key;
-  const unsigned top = board.key_bits - 32u * (board.key_words - 1u);
+  const unsigned top = board.keys.bits - 32u * (board.keys.words - 1u);
   memset(&key, 0xFF, sizeof key);
-  key.word[board.key_words - 1] >>= 32 - top;
+  key.word[board.keys.words - 1] >>= 32 - top;
   return key;
 }
 
@@ -202,7 +203,7 @@ static void expect_high_bits_kept_apart(void) {
   double value;
   memset(keys, 0, sizeof keys);
   for (unsigned i = 1; i < 6; i++) {
-    const unsigned bit = board.key_bits > i ? board.key_bits - i : 0;
+    const unsigned bit = board.keys.bits > i ? board.keys.bits - i : 0;
     keys[i] = greatest_key();
     if (i > 1 && bit > 0) keys[i].word[bit / 32] &= ~((uint32_t)1 << bit % 32);
     if (i > 1 && bit == 0) return; /* a key of few bits has few to differ in */
@@ -217,7 +218,7 @@ static void test_greatest_keys_are_kept_apart_whatever_their_bits(void) {
   for (unsigned places = 1; places <= QTR_MAX_PLACES; places++) {
     for (unsigned longest = 1; longest < 40; longest += 3) {
       set_board(places, 1 + places % QTR_MAX_SEEKERS, longest);
-      seen[board.key_bits % 32] = true;
+      seen[board.keys.bits % 32] = true;
       expect_high_bits_kept_apart();
     }
   }

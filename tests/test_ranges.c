@@ -236,7 +236,7 @@ static void test_node_or_place_that_is_none_has_no_cell_weight_or_way(void) {
       const unsigned place = any_number(&random, places);
       TEST_ASSERT_EQUAL_MESSAGE(node >= nodes, qtr_policy_cell(&policy, node) == QTR_NO_CELL, case_note);
       TEST_ASSERT_EQUAL_MESSAGE(place >= places, qtr_policy_weight(&policy, place) == 0, case_note);
-      const qtr_steps steps = qtr_board_steps(&policy.board, node, place);
+      const qtr_steps steps = qtr_board_steps(&policy.board, QTR_ANY_SEEKER, node, place);
       if (node >= nodes || place >= places) TEST_ASSERT_EQUAL_UINT32_MESSAGE(QTR_NEVER, steps, case_note);
     }
   }
@@ -247,7 +247,7 @@ static bool may_choose(const qtr_joint *joint, int seeker, uint16_t choice) {
   if (joint->node[seeker] == QTR_STAND_DOWN || joint->remaining[seeker] > 0) return false;
   if (choice == QTR_STAND_DOWN) return true;
   return choice < policy.board.places && !qtr_places_has(&joint->visited, choice) &&
-         qtr_board_steps(&policy.board, joint->node[seeker], choice) != QTR_NEVER;
+         qtr_board_steps(&policy.board, (unsigned)seeker, joint->node[seeker], choice) != QTR_NEVER;
 }
 
 /* Ask and choose for a seeker and a place that may be none. */
@@ -286,7 +286,7 @@ static void test_seeker_or_choice_that_is_none_changes_nothing(void) {
     open_random("seekers", number, &random);
     for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) cleared.word[w] = (uint32_t)random_bits(&random);
     memset(&joint, 0, sizeof joint);
-    qtr_joint_start(&joint, &policy.board, number % 2 == 0 ? &cleared : NULL);
+    qtr_joint_start(&joint, &policy.board, NULL, number % 2 == 0 ? &cleared : NULL);
     for (bool on = true; on;) {
       const int chooser = qtr_joint_chooser(&joint, &policy.board);
       qtr_joint_key(&key, &joint, &policy.board);
@@ -330,16 +330,21 @@ static void test_board_of_any_numbers_is_refused_or_playable(void) {
                        (uint8_t)any_number(&random, 2),
                        {0},
                        steps,
-                       0,
-                       0,
-                       0};
+                       {0}};
     qtr_joint joint;
     if (board.starts > 8 && board.starts <= QTR_MAX_STARTS) continue; /* more nodes than there are times for */
     for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++) board.start_of[i] = (uint16_t)any_number(&random, 8);
     if (qtr_board_init(&board) != QTR_OK) continue;
-    qtr_board_measure_keys(&board);
-    TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(QTR_KEY_WORDS, board.key_words, case_note);
-    qtr_joint_start(&joint, &board, NULL);
+    qtr_key_shape again = board.keys;
+    qtr_key key[2] = {{{0}}, {{0}}};
+    qtr_key_measure(&again);
+    TEST_ASSERT_EQUAL_UINT16_MESSAGE(board.keys.bits, again.bits, case_note);
+    TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(QTR_KEY_WORDS, board.keys.words, case_note);
+    TEST_ASSERT_EQUAL_UINT_MESSAGE(board.places + board.starts, qtr_board_nodes(&board), case_note);
+    qtr_joint_start(&joint, &board, NULL, NULL);
+    qtr_joint_key(&key[0], &joint, &board);
+    qtr_key_make(&key[1], &again, &joint.visited, joint.node, joint.remaining);
+    TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&key[0], &key[1], sizeof key[0], case_note);
   }
 }
 
@@ -420,8 +425,8 @@ static void expect_all_called(const char *header, const char *calls) {
 }
 
 static void test_every_public_function_of_the_robot_side_is_called_here(void) {
-  static const char *const headers[] = {"places.h", "grid.h",   "travel.h", "joint.h",
-                                        "policy.h", "seeker.h", "status.h"};
+  static const char *const headers[] = {"places.h", "grid.h",   "travel.h", "key.h",   "board.h",
+                                        "joint.h",  "policy.h", "seeker.h", "status.h"};
   static char calls[100000];
   snprintf(calls, sizeof calls, "%s", read_text(QUARTER_SOURCE_DIR "/tests/test_ranges.c"));
   for (unsigned i = 0; i < sizeof headers / sizeof headers[0]; i++) expect_all_called(headers[i], calls);

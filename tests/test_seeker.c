@@ -77,7 +77,7 @@ static void run_alone(unsigned self) {
 
 static bool can_reach(unsigned self, unsigned place) {
   const qtr_board *board = &policy[0].board;
-  return qtr_board_steps(board, (unsigned)board->places + board->start_of[self], place) != QTR_NEVER;
+  return qtr_board_steps(board, self, (unsigned)board->places + board->start_of[self], place) != QTR_NEVER;
 }
 
 static void random_robots(const char *test, unsigned number) {
@@ -111,7 +111,7 @@ static void test_robots_together_play_the_best_game(void) {
         const uint16_t target = qtr_seeker_target(&seeker[self]);
         TEST_ASSERT_EQUAL_HEX16_MESSAGE(route[i], target, case_note);
         TEST_ASSERT_EQUAL_MESSAGE(self, seeker[self].territory, case_note);
-        now += qtr_board_steps(&policy[self].board, node, target);
+        now += qtr_board_steps(&policy[self].board, self, node, target);
         if (now < visit[target]) visit[target] = now;
         node = target;
         visit_target(self);
@@ -139,7 +139,7 @@ static void test_walk_on_the_grid_takes_the_nominal_time(void) {
           cell = qtr_field_next(&table_field, &policy[self].grid, cell);
           taken += table_mission.cost[cell];
         }
-        TEST_ASSERT_EQUAL_UINT32_MESSAGE(qtr_board_steps(&policy[self].board, node, target), taken, case_note);
+        TEST_ASSERT_EQUAL_UINT32_MESSAGE(qtr_board_steps(&policy[self].board, self, node, target), taken, case_note);
         node = target;
         visit_target(self);
       }

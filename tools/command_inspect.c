@@ -115,7 +115,7 @@ static void write_json(FILE *out, const void *what) {
   json_bool(&j, "certified", c.certified);
   json_natural(&j, "seed", c.seed);
   json_natural(&j, "records", t->policy.records);
-  json_integer(&j, "key_bytes", 4 * t->policy.board.key_words);
+  json_integer(&j, "key_bytes", 4 * t->policy.board.keys.words);
   write_map(&j, &t->policy.grid);
   write_places(&j, t);
   report_json_routes(&j, i->routes, t->policy.board.seekers);
@@ -134,7 +134,7 @@ static void write_text(FILE *out, const void *what) {
   fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %s; bound %.6g, gap %.3g%%\n",
           c.certified ? "certified" : "not certified", c.value, c.gamma, measured(c.expected_time, "step").text,
           c.bound, 100.0 * c.gap);
-  fprintf(out, "%s of %d-byte keys\n", counted(t->policy.records, "state").text, 4 * t->policy.board.key_words);
+  fprintf(out, "%s of %d-byte keys\n", counted(t->policy.records, "state").text, 4 * t->policy.board.keys.words);
   report_routes(out, i->routes, t->policy.board.seekers);
 }
 

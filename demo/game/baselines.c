@@ -15,7 +15,7 @@ static void choose(baseline *b) {
   b->target = QTR_STAND_DOWN;
   if (b->found) return;
   for (unsigned place = 0; place < board->places; place++) {
-    const qtr_steps steps = place == b->node ? 0 : qtr_board_steps(board, b->node, place);
+    const qtr_steps steps = place == b->node ? 0 : qtr_board_steps(board, (unsigned)b->self, b->node, place);
     if (is_known(b, place) || steps >= least) continue;
     least = steps;
     b->target = (uint16_t)place;

@@ -47,9 +47,9 @@ typedef struct {
 typedef struct {
   const qtr_game *game;
   const qtr_regions *regions;
-  bool estimating;     /* times are the representatives' */
-  qtr_board board;     /* the joint game over the targets */
-  qtr_board key_board; /* as it is seen in keys */
+  bool estimating;    /* times are the representatives' */
+  qtr_board board;    /* the joint game over the targets */
+  qtr_key_shape keys; /* of what is seen of it */
   uint16_t targets;
   qtr_tour tour[QTR_MAX_PLACES];                  /* by the first place visited */
   uint16_t first[QTR_MAX_NODES * QTR_MAX_PLACES]; /* of the target's places, from a node: a row of targets a node */

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 #include "quarter/config.h"
-#include "quarter/joint.h"
+#include "quarter/key.h"
 
 /* Large: keep it in static storage. Pages that a small game does not fill are never touched. */
 typedef struct {
@@ -21,15 +21,15 @@ typedef struct {
   uint32_t refused;     /* entries that a full table did not take */
   uint8_t entry_words;  /* key and value */
   uint8_t value_words;  /* 1: floats, 2: doubles */
-  uint8_t key_words;    /* of the board's keys; the stored key may take one more, for its tag */
+  uint8_t key_words;    /* of a key; the stored key may take one more, for its tag */
   uint32_t tag;         /* of the entries in their right slots, in the top bits of a stored key */
   uint32_t word[QTR_QTABLE_WORDS];
 } qtr_qtable;
 
-/* Empty the table for the keys of a board. `precise`: doubles for values, at 4 bytes more an entry. QTR_OK, or QTR_ERR_CONFIG
+/* Empty the table for keys of a shape. `precise`: doubles for values, at 4 bytes more an entry. QTR_OK, or QTR_ERR_CONFIG
  * if the caller was built under other sizes. */
-#define qtr_qtable_init(table, board, precise) qtr_qtable_init_built(table, board, precise, QTR_CONFIG_ID)
-int qtr_qtable_init_built(qtr_qtable *table, const qtr_board *board, bool precise, uint32_t config_id);
+#define qtr_qtable_init(table, keys, precise) qtr_qtable_init_built(table, keys, precise, QTR_CONFIG_ID)
+int qtr_qtable_init_built(qtr_qtable *table, const qtr_key_shape *keys, bool precise, uint32_t config_id);
 
 /* Bytes that an entry takes, key and value. */
 uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table);

@@ -2,9 +2,11 @@
 #ifndef QUARTER_ROBOT_H
 #define QUARTER_ROBOT_H
 
+#include "quarter/board.h"
 #include "quarter/config.h"
 #include "quarter/grid.h"
 #include "quarter/joint.h"
+#include "quarter/key.h"
 #include "quarter/places.h"
 #include "quarter/policy.h"
 #include "quarter/seeker.h"

@@ -82,7 +82,7 @@ static bool plan_tours(qtr_environment *e, uint8_t order) {
 static qtr_steps duration(const qtr_environment *e, unsigned node, unsigned target) {
   const uint16_t first = first_place(e, node, target);
   if (first == QTR_STAND_DOWN) return QTR_NEVER;
-  return qtr_board_steps(&e->game->board, node, first) + tour_length(&e->tour[first]);
+  return qtr_board_steps(&e->game->board, QTR_ANY_SEEKER, node, first) + tour_length(&e->tour[first]);
 }
 
 /* From anywhere in one target to the end of another: the longest, so that keys have room for it. */
@@ -181,11 +181,11 @@ static void walk_on(const qtr_environment *e, qtr_situation *s, unsigned seeker,
 
 /* Node digits are the places, the starts, and one for standing down, whatever the targets are. With regions, `remaining`
  * is the region and how much of the tour is done. */
-static void make_key_board(qtr_environment *e) {
-  e->key_board = e->board;
-  e->key_board.starts = (uint16_t)(nodes_of(e) - e->targets);
-  if (e->regions != NULL) e->key_board.longest = e->regions->count * QTR_MAX_SPOT_SIZE - 1;
-  qtr_board_measure_keys(&e->key_board);
+static void shape_keys(qtr_environment *e) {
+  e->keys = e->board.keys;
+  e->keys.nodes = (uint16_t)nodes_of(e);
+  if (e->regions != NULL) e->keys.longest = e->regions->count * QTR_MAX_SPOT_SIZE - 1;
+  qtr_key_measure(&e->keys);
 }
 
 static qtr_steps region_digit(const qtr_environment *e, const qtr_situation *s, unsigned seeker) {
@@ -202,7 +202,7 @@ void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_k
     if (seen.remaining[i] == 0) seen.node[i] = (uint16_t)places_of(e);
     seen.remaining[i] = region_digit(e, s, i);
   }
-  qtr_joint_key(key, &seen, &e->key_board);
+  qtr_key_make(key, &e->keys, &seen.visited, seen.node, seen.remaining);
 }
 
 /* ---- set-up ---- */
@@ -229,12 +229,12 @@ int qtr_environment_init_built(qtr_environment *e, const qtr_game *game, const q
   if (status == QTR_OK) status = make_board(e, how != NULL ? how->rule : game->board.rule);
   if (status != QTR_OK) return status;
   if (e->regions != NULL && !measure_regions(e, field)) return QTR_ERR_STOPPED;
-  make_key_board(e);
+  shape_keys(e);
   return QTR_OK;
 }
 
 void qtr_environment_start(const qtr_environment *e, qtr_situation *s) {
-  qtr_joint_start(&s->joint, &e->board, NULL);
+  qtr_joint_start(&s->joint, &e->board, NULL, NULL);
   s->now = 0;
   s->unvisited = 1.0;
   for (unsigned i = 0; i < e->board.seekers; i++) {
@@ -269,7 +269,7 @@ double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int se
   const uint16_t first = first_place(e, s->at[seeker], choice);
   if (first == QTR_STAND_DOWN) return 0.0;
   const qtr_steps exact = duration(e, s->at[seeker], choice);
-  const bool here = qtr_board_steps(&e->game->board, s->at[seeker], first) == 0;
+  const bool here = qtr_board_steps(&e->game->board, (unsigned)seeker, s->at[seeker], first) == 0;
   const bool done = qtr_joint_choose(&s->joint, &e->board, seeker, choice);
   s->at[seeker] = first;
   s->stage[seeker] = 0;

@@ -317,7 +317,7 @@ int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, 
   learner->pricing = true;
   learner->aggregate_priced = !is_aggregate(learner) || is_paper(learner);
   play_first(learner);
-  qtr_qtable_init(&learner->table, &learner->environment->key_board, !is_paper(learner) && config->gap < QTR_FLOAT_GAP);
+  qtr_qtable_init(&learner->table, &learner->environment->keys, !is_paper(learner) && config->gap < QTR_FLOAT_GAP);
   qtr_bound_init(&learner->bound, ground, learner->best.visit);
   learner->upper = learner->bound.upper;
   learner->ground_upper = learner->upper;

@@ -44,9 +44,13 @@ static void set_probabilities(qtr_game *game) {
   for (unsigned place = 0; place < mission->places; place++) game->probability[place] = mission->weight[place] / sum;
 }
 
+static qtr_steps steps_at_first(const qtr_game *game, unsigned seeker, unsigned place) {
+  return qtr_board_steps(&game->board, seeker, (unsigned)game->board.places + game->board.start_of[seeker], place);
+}
+
 bool qtr_game_reachable(const qtr_game *game, unsigned place) {
-  for (unsigned start = 0; start < game->board.starts; start++)
-    if (qtr_board_steps(&game->board, (unsigned)game->board.places + start, place) != QTR_NEVER) return true;
+  for (unsigned i = 0; i < game->board.seekers; i++)
+    if (steps_at_first(game, i, place) != QTR_NEVER) return true;
   return false;
 }
 
@@ -54,9 +58,9 @@ bool qtr_game_reachable(const qtr_game *game, unsigned place) {
 static unsigned nearest_place(const qtr_game *game, qtr_steps *steps) {
   unsigned nearest = 0;
   *steps = QTR_NEVER;
-  for (unsigned start = 0; start < game->board.starts; start++) {
+  for (unsigned i = 0; i < game->board.seekers; i++) {
     for (unsigned place = 0; place < game->board.places; place++) {
-      const qtr_steps way = qtr_board_steps(&game->board, (unsigned)game->board.places + start, place);
+      const qtr_steps way = steps_at_first(game, i, place);
       if (way >= *steps) continue;
       *steps = way;
       nearest = place;
@@ -110,7 +114,7 @@ void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *sco
 /* ---- play ---- */
 
 void qtr_game_start(const qtr_game *game, qtr_state *state) {
-  qtr_joint_start(&state->joint, &game->board, NULL);
+  qtr_joint_start(&state->joint, &game->board, NULL, NULL);
   state->now = 0;
   state->unvisited = 1.0;
 }

@@ -10,7 +10,7 @@
 static const uint8_t magic[4] = {'Q', 'T', 'R', 'P'};
 
 static uint32_t record_bytes(const qtr_policy *policy) {
-  return 4u * policy->board.key_words + 4u;
+  return 4u * policy->board.keys.words + 4u;
 }
 
 /* ---- opening ---- */
@@ -75,7 +75,7 @@ static int find_sections(qtr_policy *policy, uint32_t size) {
   board->steps = policy->weights + 4u * board->places;
   policy->record = board->steps + travel;
   if (qtr_board_init(board) != QTR_OK) return QTR_ERR_CORRUPT;
-  if (board->key_words != policy->bytes[QTR_POLICY_KEY_WORDS]) return QTR_ERR_SELFTEST;
+  if (board->keys.words != policy->bytes[QTR_POLICY_KEY_WORDS]) return QTR_ERR_SELFTEST;
   const uint64_t records = (uint64_t)policy->records * record_bytes(policy);
   if (fixed + records != size) return QTR_ERR_CORRUPT;
   policy->grid.cells = policy->record + records;
@@ -153,10 +153,10 @@ static int check_records(const qtr_policy *policy) {
   qtr_key key;
   for (uint32_t r = 0; r < policy->records; r++) {
     const uint8_t *record = policy->record + r * record_bytes(policy);
-    if (r > 0 && compare_keys(record, key.word, policy->board.key_words) <= 0) return QTR_ERR_CORRUPT;
-    for (unsigned w = 0; w < policy->board.key_words; w++) key.word[w] = load32_le(record + 4 * w);
-    const uint32_t choice = load16_le(record + 4 * policy->board.key_words);
-    if (load16_le(record + 4 * policy->board.key_words + 2) != 0) return QTR_ERR_CORRUPT;
+    if (r > 0 && compare_keys(record, key.word, policy->board.keys.words) <= 0) return QTR_ERR_CORRUPT;
+    for (unsigned w = 0; w < policy->board.keys.words; w++) key.word[w] = load32_le(record + 4 * w);
+    const uint32_t choice = load16_le(record + 4 * policy->board.keys.words);
+    if (load16_le(record + 4 * policy->board.keys.words + 2) != 0) return QTR_ERR_CORRUPT;
     if (choice >= policy->board.places && choice != QTR_STAND_DOWN) return QTR_ERR_CORRUPT;
   }
   return QTR_OK;
@@ -165,7 +165,7 @@ static int check_records(const qtr_policy *policy) {
 /* ---- opening: what the travel times say of one another ---- */
 
 static bool is_way(const qtr_policy *policy, uint32_t node, uint32_t place) {
-  return qtr_board_steps(&policy->board, node, place) != QTR_NEVER;
+  return qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place) != QTR_NEVER;
 }
 
 /* The first place that a node reaches; `places` if there is none. */
@@ -193,7 +193,7 @@ static bool times_fit_cells(const qtr_policy *policy, uint32_t node) {
   const uint32_t places = policy->board.places;
   for (uint32_t place = 0; place < places; place++) {
     const bool is_here = qtr_policy_cell(policy, node) == qtr_policy_cell(policy, place);
-    if (is_here != (qtr_board_steps(&policy->board, node, place) == 0)) return false;
+    if (is_here != (qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place) == 0)) return false;
     if (is_here && node < places && node != place) return false;
   }
   return true;
@@ -202,7 +202,7 @@ static bool times_fit_cells(const qtr_policy *policy, uint32_t node) {
 static bool some_seeker_reaches(const qtr_policy *policy, uint32_t place) {
   const qtr_board *board = &policy->board;
   for (unsigned i = 0; i < board->seekers; i++)
-    if (is_way(policy, (uint32_t)board->places + board->start_of[i], place)) return true;
+    if (qtr_board_steps(board, i, (unsigned)board->places + board->start_of[i], place) != QTR_NEVER) return true;
   return false;
 }
 
@@ -331,9 +331,9 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
   while (low < high) {
     const uint32_t middle = low + (high - low) / 2;
     const uint8_t *record = policy->record + middle * record_bytes(policy);
-    const int order = compare_keys(record, key.word, policy->board.key_words);
+    const int order = compare_keys(record, key.word, policy->board.keys.words);
     if (order == 0) {
-      *choice = (uint16_t)load16_le(record + 4 * policy->board.key_words);
+      *choice = (uint16_t)load16_le(record + 4 * policy->board.keys.words);
       return true;
     }
     if (order < 0)
@@ -345,14 +345,15 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
 }
 
 /* weight a / steps a > weight b / steps b, without a division. */
-static uint16_t choose_by_rate(const qtr_policy *policy, unsigned node, const qtr_places *choices) {
+static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, unsigned seeker,
+                               const qtr_places *choices) {
   uint16_t best = QTR_STAND_DOWN;
   uint64_t best_weight = 0;
   uint64_t best_steps = 1;
   for (uint16_t place = 0; place < policy->board.places; place++) {
     if (!qtr_places_has(choices, place)) continue;
     const uint64_t weight = qtr_policy_weight(policy, place);
-    const uint64_t steps = qtr_board_steps(&policy->board, node, place);
+    const uint64_t steps = qtr_board_steps(&policy->board, seeker, joint->node[seeker], place);
     if (best != QTR_STAND_DOWN && weight * best_steps <= best_weight * steps) continue;
     best = place;
     best_weight = weight;
@@ -376,7 +377,7 @@ uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int
   if (off_table != NULL) *off_table = is_one && !known;
   if (known) return choice;
   if (!is_one) return QTR_STAND_DOWN;
-  return choose_by_rate(policy, joint->node[seeker], &choices);
+  return choose_by_rate(policy, joint, (unsigned)seeker, &choices);
 }
 
 uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table) {
@@ -403,7 +404,7 @@ uint32_t qtr_policy_digest(const qtr_policy *policy) {
     qtr_joint joint;
     qtr_steps now = 0;
     uint16_t choice = 0;
-    qtr_joint_start(&joint, &policy->board, NULL);
+    qtr_joint_start(&joint, &policy->board, NULL, NULL);
     while (choice != QTR_STAND_DOWN) {
       uint8_t line[8] = {seeker, 0, 0, 0, 0, 0, 0, 0};
       choice = qtr_policy_play(policy, &joint, seeker, &now, NULL);

@@ -16,7 +16,7 @@ static void set_add(qtr_seeker_set *set, unsigned seeker) {
 /* Begin the current territory: its seeker's route is played from the start of the game. */
 static void enter_territory(qtr_seeker *seeker) {
   seeker->missed = false;
-  qtr_joint_start(&seeker->joint, &seeker->policy->board, &seeker->cleared);
+  qtr_joint_start(&seeker->joint, &seeker->policy->board, NULL, &seeker->cleared);
 }
 
 /* Leave the current territory for the next one that nobody is known to have finished. */
@@ -33,7 +33,8 @@ static bool next_territory(qtr_seeker *seeker) {
 
 static bool in_reach(const qtr_seeker *seeker, uint16_t place) {
   const qtr_board *board = &seeker->policy->board;
-  return qtr_board_steps(board, (unsigned)board->places + board->start_of[seeker->self], place) != QTR_NEVER;
+  return qtr_board_steps(board, seeker->self, (unsigned)board->places + board->start_of[seeker->self], place) !=
+         QTR_NEVER;
 }
 
 /* The territory's route is at its end. If this robot could not reach all of it, it is not done. */

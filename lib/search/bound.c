@@ -200,7 +200,7 @@ static void cut_time(qtr_bound *bound, qtr_steps last_visit) {
   for (unsigned place = 0; place < places; place++)
     for (unsigned target = 0; target < targets; target++)
       if (steps_apart(bound, place, target) < shortest) shortest = steps_apart(bound, place, target);
-  uint64_t horizon = (uint64_t)last_visit * HORIZON + bound->environment->board.longest + 2;
+  uint64_t horizon = (uint64_t)last_visit * HORIZON + bound->environment->board.keys.longest + 2;
   if (horizon > QTR_NEVER / 2) horizon = QTR_NEVER / 2;
   uint64_t steps = (horizon + QTR_BOUND_SLOTS - 1) / QTR_BOUND_SLOTS;
   if (steps > shortest) steps = shortest;
@@ -249,7 +249,7 @@ int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, c
   bound->game = environment->game;
   for (unsigned node = 0; node < (unsigned)board->places + board->starts; node++)
     for (unsigned place = 0; place < board->places; place++)
-      bound->travel[(size_t)node * board->places + place] = qtr_board_steps(board, node, place);
+      bound->travel[(size_t)node * board->places + place] = qtr_board_steps(board, QTR_ANY_SEEKER, node, place);
   cut_time(bound, price_by_visits(bound, visit));
   bound->scale = SCALE_FIRST;
   bound->iterations = 0;

@@ -21,7 +21,8 @@ void qtr_play_score(qtr_play *play, const qtr_game *game) {
   for (unsigned i = 0; i < play->choices; i++) {
     const uint16_t choice = play->choice[i];
     if (choice != QTR_STAND_DOWN) {
-      const qtr_steps when = state.now + qtr_board_steps(&game->board, state.joint.node[play->seeker[i]], choice);
+      const qtr_steps when =
+          state.now + qtr_board_steps(&game->board, play->seeker[i], state.joint.node[play->seeker[i]], choice);
       if (when < play->visit[choice]) play->visit[choice] = when;
     }
     qtr_game_choose(game, &state, play->seeker[i], choice);
@@ -38,7 +39,7 @@ static uint16_t best_rate(const qtr_game *game, const qtr_state *state, int seek
   qtr_joint_choices(&state->joint, &game->board, seeker, &choices);
   for (uint16_t place = 0; place < game->board.places; place++) {
     if (!qtr_places_has(&choices, place)) continue;
-    const qtr_steps steps = qtr_board_steps(&game->board, state->joint.node[seeker], place);
+    const qtr_steps steps = qtr_board_steps(&game->board, (unsigned)seeker, state->joint.node[seeker], place);
     const double rate = game->probability[place] / (steps > 0 ? (double)steps : 0.5);
     if (rate <= best) continue;
     best = rate;

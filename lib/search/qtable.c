@@ -88,11 +88,11 @@ static uint32_t after(const qtr_qtable *table, uint32_t slot) {
   return slot + 1 < table->slots ? slot + 1 : 0;
 }
 
-int qtr_qtable_init_built(qtr_qtable *table, const qtr_board *board, bool precise, uint32_t config_id) {
+int qtr_qtable_init_built(qtr_qtable *table, const qtr_key_shape *keys, bool precise, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  table->key_words = board->key_words;
+  table->key_words = keys->words;
   table->value_words = precise ? VALUE_WORDS_MAX : 1;
-  table->entry_words = (uint8_t)((board->key_bits + TAG_BITS + 31) / 32 + table->value_words);
+  table->entry_words = (uint8_t)((keys->bits + TAG_BITS + 31) / 32 + table->value_words);
   table->entries = 0;
   table->refused = 0;
   table->slots_limit = (uint32_t)(QTR_QTABLE_WORDS / table->entry_words);

@@ -14,7 +14,7 @@ qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const 
   qtr_route_score score = {0.0, 0.0};
   qtr_steps now = 0;
   for (unsigned i = 0; i < length; i++) {
-    const qtr_steps steps = qtr_board_steps(&game->board, node, places[i]);
+    const qtr_steps steps = qtr_board_steps(&game->board, seeker, node, places[i]);
     if (steps == QTR_NEVER) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
     now += steps;
     score.worth += qtr_game_worth(game, places[i], now);

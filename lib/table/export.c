@@ -24,7 +24,7 @@ static uint32_t seat_bytes(const qtr_board *board) {
 }
 
 uint32_t qtr_record_bytes(const qtr_board *board) {
-  return 4u * board->key_words + 4u;
+  return 4u * board->keys.words + 4u;
 }
 
 uint32_t qtr_table_size(const qtr_table_content *content) {
@@ -41,13 +41,13 @@ uint32_t qtr_table_size(const qtr_table_content *content) {
 void qtr_record_write(uint8_t *record, const qtr_joint *joint, const qtr_board *board, uint16_t choice) {
   qtr_key key;
   qtr_joint_key(&key, joint, board);
-  for (unsigned w = 0; w < board->key_words; w++) store32_le(record + 4 * w, key.word[w]);
-  store16_le(record + 4 * board->key_words, choice);
-  store16_le(record + 4 * board->key_words + 2, 0);
+  for (unsigned w = 0; w < board->keys.words; w++) store32_le(record + 4 * w, key.word[w]);
+  store16_le(record + 4 * board->keys.words, choice);
+  store16_le(record + 4 * board->keys.words + 2, 0);
 }
 
 int qtr_record_compare(const uint8_t *a, const uint8_t *b, const qtr_board *board) {
-  for (unsigned w = board->key_words; w-- > 0;) {
+  for (unsigned w = board->keys.words; w-- > 0;) {
     const uint32_t x = load32_le(a + 4 * w);
     const uint32_t y = load32_le(b + 4 * w);
     if (x != y) return x < y ? -1 : 1;
@@ -78,7 +78,7 @@ static void write_dimensions(uint8_t *bytes, const qtr_table_content *content, u
   bytes[QTR_POLICY_RULE] = board->rule;
   bytes[QTR_POLICY_OBJECTIVE] = mission->objective;
   bytes[QTR_POLICY_GRID] = encoding_of(mission);
-  bytes[QTR_POLICY_KEY_WORDS] = board->key_words;
+  bytes[QTR_POLICY_KEY_WORDS] = board->keys.words;
   store16_le(bytes + QTR_POLICY_STARTS, board->starts);
   store32_le(bytes + QTR_POLICY_RECORDS, content->record_count);
   store32_le(bytes + QTR_POLICY_CELL_SIZE, mission->frame.cell_size_um);

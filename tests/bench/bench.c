@@ -157,7 +157,7 @@ static void bench_reference(void) {
 
 static void bench_entry(int side, int places, int seekers, const char *target) {
   make_map(1, side, places, seekers, QTR_DISCOUNTED);
-  qtr_qtable_init(&learner.table, &game.board, false);
+  qtr_qtable_init(&learner.table, &game.board.keys, false);
   printf("a Q entry of %2d places, %d seekers on %dx%d cells: %u bytes %s\n", places, seekers, side, side,
          qtr_qtable_entry_bytes(&learner.table), target);
 }

@@ -70,7 +70,7 @@ static inline void table_seal(uint8_t *bytes, uint32_t size) {
 static inline int table_forge(qtr_policy *policy, uint8_t *bytes, uint32_t size) {
   table_seal(bytes, size);
   const int status = qtr_policy_open(policy, bytes, size);
-  if (status != QTR_ERR_SELFTEST || policy->board.key_words != bytes[QTR_POLICY_KEY_WORDS]) return status;
+  if (status != QTR_ERR_SELFTEST || policy->board.keys.words != bytes[QTR_POLICY_KEY_WORDS]) return status;
   store32_le(bytes + QTR_POLICY_DIGEST, qtr_policy_digest(policy));
   table_seal(bytes, size);
   return qtr_policy_open(policy, bytes, size);

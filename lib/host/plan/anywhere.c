@@ -189,14 +189,11 @@ static int record_game(builder *b, const qtr_routes *routes, const uint16_t *sta
   qtr_joint joint;
   qtr_places done;
   uint16_t next[QTR_MAX_SEEKERS] = {0};
-  uint16_t own[QTR_MAX_SEEKERS];
   int status = 0;
   qtr_places_clear(&done);
   for (unsigned place = 0; place < b->board.places; place++)
     if ((cleared >> place & 1u) != 0) qtr_places_add(&done, place);
-  memcpy(own, b->board.start_of, sizeof own);
-  memcpy(b->board.start_of, start_of, sizeof own);
-  qtr_joint_start(&joint, &b->board, &done);
+  qtr_joint_start(&joint, &b->board, start_of, &done);
   do {
     const int seeker = qtr_joint_chooser(&joint, &b->board);
     if (seeker == QTR_NOBODY) continue;
@@ -206,7 +203,6 @@ static int record_game(builder *b, const qtr_routes *routes, const uint16_t *sta
     qtr_joint_choose(&joint, &b->board, seeker, choice);
   } while (status == 0 &&
            (qtr_joint_chooser(&joint, &b->board) != QTR_NOBODY || qtr_joint_advance(&joint, &b->board, NULL) > 0));
-  memcpy(b->board.start_of, own, sizeof own);
   return status;
 }
 
@@ -330,7 +326,7 @@ static double earn_on_ground(const builder *b, const table *t, const qtr_game *g
     unsigned node = (unsigned)b->board.places + game->board.start_of[i];
     qtr_steps now = 0;
     for (int j = 0; j < routes[i].places; j++) {
-      now += qtr_board_steps(&game->board, node, routes[i].place[j]);
+      now += qtr_board_steps(&game->board, i, node, routes[i].place[j]);
       node = routes[i].place[j];
       visit[node] = now;
     }

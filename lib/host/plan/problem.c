@@ -67,8 +67,9 @@ static int fault_discount(const problem *p, int place, fault *why) {
   const qtr_board *board = &p->game.board;
   qtr_steps nearest = QTR_NEVER;
   char name[300];
-  for (unsigned start = 0; start < board->starts; start++) {
-    const qtr_steps steps = qtr_board_steps(board, (unsigned)board->places + start, (unsigned)place);
+  for (unsigned i = 0; i < board->seekers; i++) {
+    const unsigned start = (unsigned)board->places + board->start_of[i];
+    const qtr_steps steps = qtr_board_steps(board, i, start, (unsigned)place);
     if (steps < nearest) nearest = steps;
   }
   input_place_name(&p->in, place, name, sizeof name);

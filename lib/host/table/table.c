@@ -76,10 +76,10 @@ uint32_t table_routes(const table *t, table_route *routes) {
     unsigned node = (unsigned)board->places + board->start_of[seeker];
     uint16_t place;
     route->places = 0;
-    qtr_joint_start(&joint, board, NULL);
+    qtr_joint_start(&joint, board, NULL, NULL);
     while ((place = qtr_policy_play(&t->policy, &joint, seeker, &now, seeker == 0 ? &off_table : NULL)) !=
            QTR_STAND_DOWN) {
-      route->step[route->places] = now + qtr_board_steps(board, node, place);
+      route->step[route->places] = now + qtr_board_steps(board, (unsigned)seeker, node, place);
       route->place[route->places++] = place;
       node = place;
     }

@@ -31,7 +31,7 @@ static int check_times_to(const qtr_policy *policy, const qtr_field *field, unsi
                           fault *why) {
   const unsigned places = policy->board.places;
   for (unsigned node = 0; node < nodes_of(policy); node++) {
-    const qtr_steps told = qtr_board_steps(&policy->board, node, place);
+    const qtr_steps told = qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place);
     const qtr_steps true_steps = field->to_go[qtr_policy_cell(policy, node)];
     char said[32], is[32];
     if (told == true_steps) continue;
@@ -50,7 +50,7 @@ static int check_regions_to(const qtr_policy *policy, const qtr_field *field, un
   for (uint32_t cell = 0; cell < cells; cell++) {
     if (qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) continue;
     const unsigned start = policy->regions[2 * cell] | (unsigned)policy->regions[2 * cell + 1] << 8;
-    const qtr_steps from_start = qtr_board_steps(&policy->board, policy->board.places + start, place);
+    const qtr_steps from_start = qtr_board_steps(&policy->board, QTR_ANY_SEEKER, policy->board.places + start, place);
     if ((from_start == QTR_NEVER) == (field->to_go[cell] == QTR_NEVER)) continue;
     return fault_set(
         why, "%s: its regions are not its map's: the cell at column %u, row %u is cut off from its region; " MEND, path,
@@ -91,9 +91,9 @@ static void find_visits(const qtr_policy *policy, qtr_steps *visit) {
     qtr_joint joint;
     qtr_steps now = 0;
     uint16_t place;
-    qtr_joint_start(&joint, board, NULL);
+    qtr_joint_start(&joint, board, NULL, NULL);
     while ((place = qtr_policy_play(policy, &joint, seeker, &now, NULL)) != QTR_STAND_DOWN) {
-      const qtr_steps when = now + qtr_board_steps(board, node, place);
+      const qtr_steps when = now + qtr_board_steps(board, (unsigned)seeker, node, place);
       if (when < visit[place]) visit[place] = when;
       node = place;
     }

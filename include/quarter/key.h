@@ -1,0 +1,42 @@
+/* The key of a state of the joint game: the places visited and the sorted (node, remaining) pairs of the seekers as one
+ * exact integer. Equal keys are equal states.
+ *
+ * The integer is in mixed radix, grown digit by digit (docs/policy-format.md), so that a key takes no more words than the
+ * states of its game need.
+ */
+#ifndef QUARTER_KEY_H
+#define QUARTER_KEY_H
+
+#include <stdint.h>
+
+#include "quarter/config.h"
+#include "quarter/places.h"
+
+/* Words that hold the key of any state of any board of this build: visited places, and a node and a time a seeker. */
+#define QTR_KEY_WORDS (QTR_PLACE_WORDS + (QTR_MAX_SEEKERS * 48 + 31) / 32)
+
+/* What the digits of a game's keys range over, and so how long they are. Fill the first part, then call
+ * qtr_key_measure(). */
+typedef struct {
+  uint16_t places;   /* 1..QTR_MAX_PLACES */
+  uint16_t nodes;    /* a node of this number or above stands for a seeker that has stood down */
+  qtr_steps longest; /* the greatest time remaining */
+  uint8_t seekers;   /* 1..QTR_MAX_SEEKERS */
+  /* set by qtr_key_measure() */
+  uint8_t words; /* of a key, 1..QTR_KEY_WORDS */
+  uint16_t bits; /* that the greatest key takes */
+} qtr_key_shape;
+
+/* The least significant word first. Words beyond the shape's are not written. */
+typedef struct {
+  uint32_t word[QTR_KEY_WORDS];
+} qtr_key;
+
+/* Derive the size of the keys from the first part, which must be in its ranges. */
+void qtr_key_measure(qtr_key_shape *shape);
+
+/* The key of a state: a node and a time remaining for each seeker. */
+void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *visited, const uint16_t *node,
+                  const qtr_steps *remaining);
+
+#endif

@@ -1,0 +1,47 @@
+#include "robot/board.h"
+
+#include "quarter/status.h"
+
+unsigned qtr_board_nodes(const qtr_board *board) {
+  return (unsigned)board->places + board->starts;
+}
+
+qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
+  if (seeker >= board->seekers || node >= qtr_board_nodes(board) || place >= board->places) return QTR_NEVER;
+  return steps_between(board, seeker, node, place);
+}
+
+static int check_numbers(const qtr_board *board) {
+  if (board->places > QTR_MAX_PLACES || board->seekers > QTR_MAX_SEEKERS) return QTR_ERR_LIMIT;
+  if (board->places == 0 || board->seekers == 0 || board->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
+  if (board->starts == 0 || board->starts > QTR_MAX_STARTS) return QTR_ERR_ARGUMENT;
+  for (unsigned i = 0; i < board->seekers; i++)
+    if (board->start_of[i] >= board->starts) return QTR_ERR_ARGUMENT;
+  return QTR_OK;
+}
+
+static qtr_steps find_longest(const qtr_board *board) {
+  const unsigned nodes = qtr_board_nodes(board);
+  qtr_steps longest = 0;
+  for (unsigned node = 0; node < nodes; node++) {
+    for (unsigned place = 0; place < board->places; place++) {
+      const qtr_steps steps = steps_between(board, QTR_ANY_SEEKER, node, place);
+      if (steps != QTR_NEVER && steps > longest) longest = steps;
+    }
+  }
+  return longest;
+}
+
+int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  const int status = check_numbers(board);
+  if (status != QTR_OK) return status;
+  board->keys.places = board->places;
+  board->keys.nodes = (uint16_t)qtr_board_nodes(board);
+  board->keys.seekers = board->seekers;
+  board->keys.longest = find_longest(board);
+  /* Sums over a whole game must fit qtr_steps. */
+  if (board->keys.longest > (QTR_NEVER - 1) / (board->places + 1u)) return QTR_ERR_LIMIT;
+  qtr_key_measure(&board->keys);
+  return QTR_OK;
+}

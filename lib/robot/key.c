@@ -1,0 +1,79 @@
+#include "quarter/key.h"
+
+#include <stdbool.h>
+
+/* ---- digits: key = key * base + digit, over so many words; returns how many it takes then ---- */
+
+static unsigned append_digit(qtr_key *key, unsigned words, uint32_t digit, uint32_t base) {
+  uint64_t carry = digit;
+  for (unsigned w = 0; w < words; w++) {
+    carry += (uint64_t)key->word[w] * base;
+    key->word[w] = (uint32_t)(carry & 0xFFFFFFFFu);
+    carry >>= 32;
+  }
+  if (carry > 0) key->word[words++] = (uint32_t)carry;
+  return words;
+}
+
+static unsigned append_bits(qtr_key *key, unsigned words, uint32_t value, unsigned bits) {
+  if (bits < 32) return append_digit(key, words, value, (uint32_t)1 << bits);
+  for (unsigned w = words; w > 0; w--) key->word[w] = key->word[w - 1];
+  key->word[0] = value;
+  return words > 0 || value > 0 ? words + 1 : 0;
+}
+
+/* ---- what a state is made of ---- */
+
+static unsigned append_seeker(qtr_key *key, unsigned words, const qtr_key_shape *shape, uint32_t node,
+                              qtr_steps remaining) {
+  words = append_digit(key, words, node < shape->nodes ? node : shape->nodes, shape->nodes + 1u);
+  return append_digit(key, words, remaining, shape->longest + 1);
+}
+
+static unsigned append_places(qtr_key *key, unsigned words, const qtr_key_shape *shape, const qtr_places *places) {
+  for (unsigned first = 0; first < shape->places; first += 32) {
+    const unsigned left = shape->places - first;
+    words = append_bits(key, words, places->word[first / 32], left < 32 ? left : 32);
+  }
+  return words;
+}
+
+/* Seekers that are alike are interchangeable: sorted, who is who is gone from the key. */
+static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], unsigned seekers, const uint16_t *node,
+                         const qtr_steps *remaining) {
+  for (uint8_t i = 0; i < seekers; i++) {
+    uint8_t at = i;
+    for (; at > 0; at--) {
+      const uint8_t before = order[at - 1];
+      const bool less = node[i] != node[before] ? node[i] < node[before] : remaining[i] < remaining[before];
+      if (!less) break;
+      order[at] = before;
+    }
+    order[at] = i;
+  }
+}
+
+void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *visited, const uint16_t *node,
+                  const qtr_steps *remaining) {
+  uint8_t order[QTR_MAX_SEEKERS];
+  sort_seekers(order, shape->seekers, node, remaining);
+  unsigned words = 0;
+  for (unsigned i = 0; i < shape->seekers; i++)
+    words = append_seeker(key, words, shape, node[order[i]], remaining[order[i]]);
+  words = append_places(key, words, shape, visited);
+  while (words < shape->words) key->word[words++] = 0;
+}
+
+void qtr_key_measure(qtr_key_shape *shape) {
+  qtr_key key;
+  qtr_places all;
+  unsigned words = 0;
+  for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) all.word[w] = UINT32_MAX;
+  if (shape->places % 32 != 0) all.word[shape->places / 32] = ((uint32_t)1 << shape->places % 32) - 1;
+  for (unsigned i = 0; i < shape->seekers; i++) words = append_seeker(&key, words, shape, shape->nodes, shape->longest);
+  words = append_places(&key, words, shape, &all);
+  unsigned bits = 32 * words;
+  for (uint32_t top = key.word[words - 1]; (top & 0x80000000u) == 0; top <<= 1) bits--;
+  shape->bits = (uint16_t)bits;
+  shape->words = (uint8_t)words;
+}
