@@ -123,7 +123,8 @@ static void test_spots_earn_what_their_tours_earn_on_the_ground(void) {
       const uint16_t choice = random_choice(&random, &situation.joint, &aggregate.board, seeker);
       const unsigned from = situation.at[seeker];
       earned += discount * qtr_environment_choose(&aggregate, &situation, seeker, choice);
-      if (choice != QTR_STAND_DOWN) walk_tour(visit, from, situation.now, &aggregate.tour[situation.at[seeker]]);
+      if (choice != QTR_STAND_DOWN)
+        walk_tour(visit, from, situation.now, &aggregate.targets.tour[situation.at[seeker]]);
       qtr_environment_pass(&aggregate, &situation, &outcome);
       earned += discount * outcome.reward;
       discount *= outcome.discount;
@@ -139,19 +140,19 @@ static double try_spots(qtr_steps *visit, unsigned taken, unsigned seeker, unsig
   double best = -HUGE_VAL;
   if (seeker == mission.seekers) {
     qtr_score score;
-    if (taken + 1 != 1u << aggregate.targets) return best;
+    if (taken + 1 != 1u << aggregate.targets.count) return best;
     qtr_game_score(&game, visit, &score);
     return score.worth;
   }
   const unsigned next = seeker + 1;
   const unsigned start = next < mission.seekers ? (unsigned)mission.places + game.board.start_of[next] : 0;
   best = try_spots(visit, taken, next, start, 0);
-  for (unsigned target = 0; target < aggregate.targets; target++) {
-    const uint16_t first = aggregate.first[node * aggregate.targets + target];
+  for (unsigned target = 0; target < aggregate.targets.count; target++) {
+    const uint16_t first = qtr_targets_first(&aggregate.targets, node, target);
     if ((taken >> target & 1u) != 0 || first == QTR_STAND_DOWN) continue;
     qtr_steps with[QTR_MAX_PLACES];
     memcpy(with, visit, sizeof with);
-    const qtr_tour *tour = &aggregate.tour[first];
+    const qtr_tour *tour = &aggregate.targets.tour[first];
     const qtr_steps end = walk_tour(with, node, now, tour);
     const double worth = try_spots(with, taken | 1u << target, seeker, tour->place[tour->places - 1], end);
     if (worth > best) best = worth;
@@ -171,7 +172,7 @@ static void test_the_best_policy_of_the_spots_is_found(void) {
     set_up_game();
     const qtr_spots_config spots = {4, 9, 0.0};
     set_up_aggregate(&spots, QTR_SPOT_BEST, NULL);
-    if (aggregate.targets > 5) continue;
+    if (aggregate.targets.count > 5) continue;
     qtr_learner_config_default(&config);
     config.ground_search = false;
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&learner, &ground, &aggregate, &config), case_note);
@@ -207,7 +208,7 @@ static void test_times_are_equal_for_all_cells_of_a_region(void) {
   for (unsigned cell = 0; cell < 9; cell++) {
     qtr_situation situation;
     qtr_environment_start(&aggregate, &situation);
-    situation.cell[0] = (qtr_cell)cell;
+    situation.walk[0].cell = (qtr_cell)cell;
     qtr_environment_choose(&aggregate, &situation, 0, 1);
     /* from the middles 1, 4 and 7 to cell 8 */
     TEST_ASSERT_EQUAL_UINT32(7 - 3 * (cell / 3), situation.joint.remaining[0]);
@@ -258,7 +259,7 @@ static void test_cells_of_one_region_share_their_key_and_others_do_not(void) {
     qtr_situation situation;
     qtr_environment_start(&aggregate, &situation);
     qtr_environment_key(&aggregate, &situation, &first);
-    situation.cell[0] = (qtr_cell)cell;
+    situation.walk[0].cell = (qtr_cell)cell;
     qtr_environment_key(&aggregate, &situation, &other);
     const bool same = memcmp(first.word, other.word, 4u * aggregate.keys.words) == 0;
     TEST_ASSERT_EQUAL(cell < 3, same);

@@ -96,7 +96,7 @@ static void test_target_of_two_seekers_is_on_one_route(void) {
   const qtr_aggregation how = {.rule = QTR_RULE_PAPER, .by_spots = true, .spots = {2, 3, 0.0}};
   set_up("1.2..S", 2);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&aggregate, &table_game, &how, &table_field));
-  TEST_ASSERT_EQUAL(1, aggregate.targets);
+  TEST_ASSERT_EQUAL(1, aggregate.targets.count);
   begin(1, &aggregate);
   play_episodes(3);
   const qtr_play *best = qtr_learner_best(&table_learner);

@@ -138,7 +138,7 @@ static int learn_try(try *t, const plan_config *asked, uint64_t episodes, fault 
   qtr_learner_certificate(&tuned->learner, &t->certificate);
   t->entries = tuned->learner.table.entries;
   t->regions = t->how.by_regions && tuned->aggregated ? tuned->regions.count : 0;
-  t->spots = t->how.by_spots && tuned->aggregated ? tuned->aggregate.targets : 0;
+  t->spots = t->how.by_spots && tuned->aggregated ? tuned->aggregate.targets.count : 0;
   return 0;
 }
 

@@ -17,14 +17,8 @@
 #include "quarter/config.h"
 #include "quarter/game.h"
 #include "quarter/regions.h"
-#include "quarter/spots.h"
-
-/* Where the travel times of a seeker seen in a region are taken from. */
-enum qtr_region_times {
-  QTR_TIMES_STANDING = 0, /* the region's representative: alike for all of the region (section 5.2.3) */
-  QTR_TIMES_TRUE =
-      1 /* the seeker's own cell: the section's first solution, whose Q may go to and fro. To show just that */
-};
+#include "quarter/sight.h"
+#include "quarter/target.h"
 
 typedef struct {
   uint8_t rule; /* enum qtr_rule, by which targets are chosen */
@@ -35,41 +29,23 @@ typedef struct {
   uint8_t region_times;       /* enum qtr_region_times */
 } qtr_aggregation;
 
-/* What a seeker does that has come to a place: the rest of the target's tour, which depends on nothing else. */
-typedef struct {
-  uint16_t target;
-  uint8_t places;                    /* this one included */
-  uint16_t place[QTR_MAX_SPOT_SIZE]; /* in the order of the visits; the last one is the exit */
-  qtr_steps step[QTR_MAX_SPOT_SIZE]; /* of each visit, from the first on */
-} qtr_tour;
-
 /* Large: keep it in static storage. */
 typedef struct {
   const qtr_game *game;
-  const qtr_regions *regions;
-  bool estimating;    /* times are the representatives' */
-  qtr_board board;    /* the joint game over the targets */
-  qtr_key_shape keys; /* of what is seen of it */
-  uint16_t targets;
-  qtr_tour tour[QTR_MAX_PLACES];                  /* by the first place visited */
-  uint16_t first[QTR_MAX_NODES * QTR_MAX_PLACES]; /* of the target's places, from a node: a row of targets a node */
-  qtr_spots spots;
-  uint8_t reach[4 * QTR_MAX_NODES * QTR_MAX_PLACES];    /* the board's travel times: the longest between targets */
-  qtr_steps estimate[QTR_MAX_REGIONS * QTR_MAX_PLACES]; /* from a region's representative to each place */
-  uint8_t way[(size_t)QTR_MAX_PLACES * ((QTR_MAX_CELLS + 3) / 4)]; /* to each place, the direction from each cell */
-  qtr_spots spots_scratch;
-  qtr_spot_scratch tour_scratch;
+  qtr_targets targets;
+  qtr_sight sight;
+  qtr_board board;                                   /* the joint game over the targets */
+  qtr_key_shape keys;                                /* of what is seen of it */
+  uint8_t reach[4 * QTR_MAX_NODES * QTR_MAX_PLACES]; /* the board's travel times: the longest between targets */
 } qtr_environment;
 
 /* A moment. */
 typedef struct {
-  qtr_joint joint;                    /* over the targets */
-  qtr_steps now;                      /* since the start */
-  double unvisited;                   /* probability of the places left */
-  uint16_t at[QTR_MAX_SEEKERS];       /* idle: the node where it is; on its way: the first place of its tour */
-  uint8_t stage[QTR_MAX_SEEKERS];     /* with regions: how many places of its tour it has passed */
-  qtr_cell cell[QTR_MAX_SEEKERS];     /* with regions: where it truly is */
-  qtr_steps carried[QTR_MAX_SEEKERS]; /* with regions: steps spent on entering the next cell */
+  qtr_joint joint;                /* over the targets */
+  qtr_steps now;                  /* since the start */
+  double unvisited;               /* probability of the places left */
+  uint16_t at[QTR_MAX_SEEKERS];   /* idle: the node where it is; on its way: the first place of its tour */
+  qtr_walk walk[QTR_MAX_SEEKERS]; /* with regions: where it truly is */
 } qtr_situation;
 
 /* Set an environment up over a game. `how` NULL: no aggregation, and the rule is the mission's. `field` is scratch. Game

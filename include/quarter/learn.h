@@ -17,7 +17,9 @@
 #include "quarter/refine.h"
 #include "quarter/regions.h"
 #include "quarter/robot.h"
+#include "quarter/sight.h"
 #include "quarter/spots.h"
+#include "quarter/target.h"
 #include "quarter/watch.h"
 
 #endif

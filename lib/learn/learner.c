@@ -118,7 +118,7 @@ static void play_on_ground(qtr_learner *learner) {
   for (unsigned i = 0; i < learner->play.choices; i++) {
     if (learner->play.choice[i] == QTR_STAND_DOWN) continue;
     const unsigned seeker = learner->play.seeker[i];
-    const qtr_tour *tour = &learner->environment->tour[learner->trace[i].first];
+    const qtr_tour *tour = qtr_targets_tour(&learner->environment->targets, learner->trace[i].first);
     for (unsigned j = 0; j < tour->places; j++) {
       if (qtr_places_has(&taken, tour->place[j])) continue;
       qtr_places_add(&taken, tour->place[j]);
@@ -262,7 +262,8 @@ static void refine_best(qtr_learner *learner, unsigned rounds) {
 static int check_config(qtr_learner *learner, const qtr_learner_config *config) {
   if (!(config->gap >= 0.0 && config->gap < HUGE_VAL) || config->setting > QTR_SETTING_PAPER) return QTR_ERR_ARGUMENT;
   if (!(config->alpha > 0.0 && config->alpha <= 1.0)) return QTR_ERR_ARGUMENT;
-  if (config->setting == QTR_SETTING_CERTIFIED && learner->environment->regions != NULL) return QTR_ERR_ARGUMENT;
+  if (config->setting == QTR_SETTING_CERTIFIED && !qtr_sight_is_exact(&learner->environment->sight))
+    return QTR_ERR_ARGUMENT;
   if (is_aggregate(learner) && learner->game->board.rule != QTR_RULE_FREE) return QTR_ERR_ARGUMENT;
   return qtr_explorer_init(&learner->explorer, &config->exploration, config->seed);
 }
@@ -279,7 +280,7 @@ static void play_aggregate_by_rate(qtr_learner *learner) {
     uint16_t choice = QTR_STAND_DOWN;
     double best = -1.0;
     qtr_joint_choices(&state.joint, &environment->board, seeker, &choices);
-    for (uint16_t target = 0; target < environment->targets; target++) {
+    for (uint16_t target = 0; target < environment->targets.count; target++) {
       if (!qtr_places_has(&choices, target)) continue;
       const double rate = qtr_environment_rate(environment, state.at[seeker], target);
       if (rate <= best) continue;

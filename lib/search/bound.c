@@ -17,7 +17,7 @@ static unsigned places_of(const qtr_bound *bound) {
 }
 
 static unsigned targets_of(const qtr_bound *bound) {
-  return bound->environment->targets;
+  return bound->environment->targets.count;
 }
 
 static const qtr_steps *travel_from(const qtr_bound *bound, unsigned node) {
@@ -26,12 +26,20 @@ static const qtr_steps *travel_from(const qtr_bound *bound, unsigned node) {
 
 /* The first place of a target's tour from a node; QTR_STAND_DOWN if there is no way. */
 static uint16_t first_of(const qtr_bound *bound, unsigned node, unsigned target) {
-  return bound->environment->first[(size_t)node * targets_of(bound) + target];
+  return qtr_targets_first(&bound->environment->targets, node, target);
+}
+
+static unsigned target_of(const qtr_bound *bound, unsigned place) {
+  return qtr_targets_of(&bound->environment->targets, place);
+}
+
+static const qtr_tour *tour_at(const qtr_bound *bound, unsigned place) {
+  return qtr_targets_tour(&bound->environment->targets, place);
 }
 
 /* The target that a node belongs to; starts belong to none. */
 static unsigned target_at(const qtr_bound *bound, unsigned node) {
-  return node < places_of(bound) ? bound->environment->spots.spot_of[node] : QTR_STAND_DOWN;
+  return node < places_of(bound) ? target_of(bound, node) : QTR_STAND_DOWN;
 }
 
 /* ---- the walks of one seeker ---- */
@@ -49,7 +57,7 @@ static double gain_at(const qtr_bound *bound, unsigned from, unsigned place, qtr
 
 /* What the tour begun at `place` is worth, net of its price. */
 static double net_worth(const qtr_bound *bound, const double *price, unsigned place, qtr_steps when) {
-  const qtr_tour *tour = &bound->environment->tour[place];
+  const qtr_tour *tour = tour_at(bound, place);
   double worth = -price[tour->target];
   for (unsigned i = 0; i < tour->places; i++)
     worth += qtr_game_worth(bound->game, tour->place[i], when + tour->step[i]);
@@ -58,10 +66,10 @@ static double net_worth(const qtr_bound *bound, const double *price, unsigned pl
 
 /* What a target is worth at most from some step on: all of its places at once. */
 static double target_worth(const qtr_bound *bound, unsigned target, qtr_steps when) {
-  const qtr_spots *spots = &bound->environment->spots;
+  const qtr_targets *targets = &bound->environment->targets;
   double worth = 0.0;
-  for (unsigned i = 0; i < spots->size[target]; i++)
-    worth += qtr_game_worth(bound->game, spots->place[target][i], when);
+  for (unsigned i = 0; i < qtr_targets_size(targets, target); i++)
+    worth += qtr_game_worth(bound->game, qtr_targets_place(targets, target, i), when);
   return worth;
 }
 
@@ -74,16 +82,16 @@ static void fill_late(qtr_bound *bound, const double *price) {
     all += net > 0.0 ? net : 0.0;
   }
   for (unsigned place = 0; place < places_of(bound); place++) {
-    const unsigned target = bound->environment->spots.spot_of[place];
+    const unsigned target = target_of(bound, place);
     const double net = target_worth(bound, target, end) - price[target];
     bound->late[place] = all + (net > 0.0 ? 0.0 : net);
   }
 }
 
 static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned place, double net) {
-  const qtr_tour *tour = &bound->environment->tour[place];
+  const qtr_tour *tour = tour_at(bound, place);
   const unsigned targets = targets_of(bound);
-  const uint16_t *first = bound->environment->first + (size_t)tour->place[tour->places - 1] * targets;
+  const uint16_t exit = qtr_tour_exit(tour);
   const uint32_t *apart = bound->slots_apart + (size_t)place * targets;
   const uint16_t here = tour->target;
   qtr_gain *gain = &bound->gain[(size_t)slot * places_of(bound) + place];
@@ -93,7 +101,7 @@ static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned place, double ne
   uint16_t other = QTR_STAND_DOWN;
   for (unsigned target = 0; target < targets; target++) {
     if (apart[target] == QTR_NEVER) continue;
-    const double on = gain_in(bound, here, first[target], slot + apart[target]);
+    const double on = gain_in(bound, here, first_of(bound, exit, target), slot + apart[target]);
     if (on <= second) continue;
     if (on > best) {
       second = best;
@@ -117,7 +125,7 @@ static bool fill_gains(qtr_bound *bound, const double *price) {
   for (uint32_t slot = bound->slots; slot-- > 0;) {
     if (slot % WATCH_SLOTS == 0 && !qtr_watch_go_on(&bound->game->mission->watch)) return false;
     for (unsigned place = 0; place < places_of(bound); place++)
-      if (bound->environment->tour[place].places > 0)
+      if (tour_at(bound, place)->places > 0)
         fill_gain(bound, slot, place, net_worth(bound, price, place, slot * bound->slot_steps));
   }
   return true;
@@ -149,7 +157,7 @@ static void count_walk(const qtr_bound *bound, unsigned start_node, uint16_t tar
     slot = from == QTR_STAND_DOWN ? travel_from(bound, node)[first] / bound->slot_steps
                                   : slot + bound->slots_apart[(size_t)from * targets_of(bound) + target];
     if (slot >= bound->slots) return;
-    const qtr_tour *tour = &bound->environment->tour[first];
+    const qtr_tour *tour = tour_at(bound, first);
     const qtr_gain *gain = &bound->gain[(size_t)slot * places_of(bound) + first];
     const unsigned before = target_at(bound, node);
     node = tour->place[tour->places - 1];
@@ -184,7 +192,7 @@ static void restart_from_best(qtr_bound *bound) {
 
 /* Steps from the start of the tour at `place` to the start of the next target's. */
 static qtr_steps steps_apart(const qtr_bound *bound, unsigned place, unsigned target) {
-  const qtr_tour *tour = &bound->environment->tour[place];
+  const qtr_tour *tour = tour_at(bound, place);
   if (tour->places == 0 || tour->target == target) return QTR_NEVER;
   const uint16_t last = tour->place[tour->places - 1];
   const uint16_t first = first_of(bound, last, target);
@@ -220,7 +228,7 @@ static qtr_steps price_by_visits(qtr_bound *bound, const qtr_steps *visit) {
   qtr_steps last = 0;
   for (unsigned target = 0; target < targets_of(bound); target++) bound->price[target] = 0.0;
   for (unsigned place = 0; place < places_of(bound); place++) {
-    bound->price[bound->environment->spots.spot_of[place]] += qtr_game_worth(bound->game, place, visit[place]);
+    bound->price[target_of(bound, place)] += qtr_game_worth(bound->game, place, visit[place]);
     if (visit[place] > last) last = visit[place];
   }
   return last;
@@ -341,7 +349,7 @@ static qtr_steps soonest(const qtr_bound *bound, const qtr_situation *after, uns
 
 /* The visits that a seeker is on its way to. Under the paper's rule another one may be there first. */
 static double worth_of_tour(const qtr_bound *bound, const qtr_situation *after, unsigned seeker) {
-  const qtr_tour *tour = &bound->environment->tour[after->at[seeker]];
+  const qtr_tour *tour = tour_at(bound, after->at[seeker]);
   double worth = 0.0;
   for (unsigned i = 0; i < tour->places; i++) {
     const qtr_steps left = qtr_environment_visit(bound->environment, after, seeker, i);
@@ -381,7 +389,7 @@ static double bound_by_prices(const qtr_bound *bound, const qtr_situation *after
 static double bound_all_at_once(const qtr_bound *bound, const qtr_situation *after) {
   double upper = 0.0;
   for (unsigned place = 0; place < places_of(bound); place++) {
-    if (!is_free(after, bound->environment->spots.spot_of[place])) continue;
+    if (!is_free(after, target_of(bound, place))) continue;
     const qtr_steps when = soonest(bound, after, place);
     if (when != QTR_NEVER) upper += qtr_game_worth(bound->game, place, when);
   }

@@ -1,0 +1,90 @@
+#include "quarter/sight.h"
+
+#include <string.h>
+
+#include "quarter/status.h"
+
+#define WAY_BYTES ((QTR_MAX_CELLS + 3) / 4) /* two bits a cell */
+
+void qtr_sight_exact(qtr_sight *sight, const qtr_game *game) {
+  sight->game = game;
+  sight->regions = NULL;
+  sight->estimating = false;
+}
+
+/* ---- ways and times ---- */
+
+static void note_way(qtr_sight *sight, const qtr_grid *grid, const qtr_field *field, unsigned place) {
+  const uint32_t cells = qtr_grid_cells(grid);
+  uint8_t *way = sight->way + (size_t)place * WAY_BYTES;
+  memset(way, 0, (cells + 3) / 4);
+  for (uint32_t cell = 0; cell < cells; cell++) {
+    const qtr_cell next = qtr_field_next(field, grid, (qtr_cell)cell);
+    if (qtr_grid_cost(grid, (qtr_cell)cell) == 0 || next == QTR_NO_CELL) continue;
+    for (unsigned direction = QTR_NORTH; direction <= QTR_WEST; direction++)
+      if (qtr_grid_neighbour(grid, (qtr_cell)cell, (enum qtr_direction)direction) == next)
+        way[cell / 4] = (uint8_t)(way[cell / 4] | direction << 2 * (cell % 4));
+  }
+}
+
+int qtr_sight_by_regions(qtr_sight *sight, const qtr_game *game, const qtr_regions *regions, uint8_t times,
+                         qtr_field *field) {
+  const qtr_grid grid = qtr_mission_grid(game->mission);
+  const unsigned places = game->board.places;
+  sight->game = game;
+  sight->regions = regions;
+  sight->estimating = times == QTR_TIMES_STANDING;
+  for (unsigned place = 0; place < places; place++) {
+    if (!qtr_watch_go_on(&game->mission->watch)) return QTR_ERR_STOPPED;
+    qtr_field_fill(field, &grid, game->mission->place[place]);
+    note_way(sight, &grid, field, place);
+    for (uint32_t region = 0; region < regions->count; region++)
+      sight->estimate[(size_t)region * places + place] = field->to_go[regions->representative[region]];
+  }
+  return QTR_OK;
+}
+
+/* ---- walks ---- */
+
+static qtr_cell next_cell(const qtr_sight *sight, const qtr_grid *grid, qtr_cell cell, unsigned place) {
+  const uint8_t *way = sight->way + (size_t)place * WAY_BYTES;
+  return qtr_grid_neighbour(grid, cell, (enum qtr_direction)((unsigned)way[cell / 4] >> 2 * (cell % 4) & 3u));
+}
+
+void qtr_sight_walk(const qtr_sight *sight, qtr_walk *walk, const qtr_tour *tour, qtr_steps steps) {
+  const qtr_mission *mission = sight->game->mission;
+  const qtr_grid grid = qtr_mission_grid(mission);
+  qtr_steps left = steps + walk->carried;
+  for (;;) {
+    const uint16_t goal = tour->place[walk->stage];
+    if (walk->cell == mission->place[goal]) {
+      if (walk->stage + 1u == tour->places) left = 0;
+      if (left == 0) break;
+      walk->stage++;
+      continue;
+    }
+    const qtr_cell next = next_cell(sight, &grid, walk->cell, goal);
+    if (left < mission->cost[next]) break;
+    left -= mission->cost[next];
+    walk->cell = next;
+  }
+  walk->carried = left;
+}
+
+/* ---- what is seen ---- */
+
+qtr_steps qtr_sight_left(const qtr_sight *sight, const qtr_walk *walk, const qtr_tour *tour, qtr_steps exact) {
+  if (!sight->estimating) return exact;
+  const size_t row = (size_t)sight->regions->of[walk->cell] * sight->game->board.places;
+  const qtr_steps left =
+      sight->estimate[row + tour->place[walk->stage]] + qtr_tour_length(tour) - tour->step[walk->stage];
+  return left > 0 ? left : 1;
+}
+
+qtr_steps qtr_sight_digit(const qtr_sight *sight, const qtr_walk *walk, bool is_idle) {
+  return (qtr_steps)sight->regions->of[walk->cell] * QTR_MAX_SPOT_SIZE + (is_idle ? 0u : walk->stage);
+}
+
+qtr_steps qtr_sight_last_digit(const qtr_sight *sight) {
+  return sight->regions->count * QTR_MAX_SPOT_SIZE - 1;
+}

@@ -1,0 +1,91 @@
+#include "quarter/target.h"
+
+#include "quarter/status.h"
+
+static unsigned places_of(const qtr_targets *t) {
+  return t->game->board.places;
+}
+
+static unsigned nodes_of(const qtr_targets *t) {
+  return (unsigned)t->game->board.places + t->game->board.starts;
+}
+
+static qtr_spot_ground ground_of(const qtr_game *game) {
+  const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, &game->objective};
+  return ground;
+}
+
+static void begin(qtr_targets *t, const qtr_game *game) {
+  t->game = game;
+  for (unsigned place = 0; place < places_of(t); place++) t->tour[place].places = 0;
+}
+
+/* ---- tours ---- */
+
+/* The tour of a target from a node; what follows its first place is kept by that place. */
+static bool plan_tour(qtr_targets *t, unsigned node, uint16_t target, uint8_t order) {
+  const qtr_spot_ground ground = ground_of(t->game);
+  const uint16_t *place = t->spots.place[target];
+  const unsigned count = t->spots.size[target];
+  qtr_spot_tour planned;
+  const bool found = order == QTR_SPOT_NEAREST ? qtr_spot_tour_nearest(&planned, &ground, node, place, count)
+                                               : qtr_spot_tour_best(&planned, &ground, node, place, count,
+                                                                    QTR_SPOT_ANY_EXIT, 0.0, &t->tour_scratch);
+  if (!found) return false;
+  qtr_tour *tour = &t->tour[planned.place[0]];
+  tour->target = target;
+  tour->places = planned.places;
+  for (unsigned i = 0; i < planned.places; i++) {
+    tour->place[i] = planned.place[i];
+    tour->step[i] = planned.step[i] - planned.step[0];
+  }
+  t->first[(size_t)node * t->count + target] = planned.place[0];
+  return true;
+}
+
+static void plan_tours_from(qtr_targets *t, unsigned node, uint8_t order) {
+  for (uint16_t target = 0; target < t->count; target++) {
+    t->first[(size_t)node * t->count + target] = QTR_STAND_DOWN;
+    if (node < places_of(t) && t->spots.spot_of[node] == target) continue;
+    plan_tour(t, node, target, order);
+  }
+}
+
+/* ---- targets ---- */
+
+void qtr_targets_places(qtr_targets *t, const qtr_game *game) {
+  begin(t, game);
+  t->count = t->spots.count = game->board.places;
+  for (uint16_t place = 0; place < t->count; place++) {
+    t->spots.spot_of[place] = place;
+    t->spots.size[place] = 1;
+    t->spots.place[place][0] = place;
+  }
+  for (unsigned node = 0; node < nodes_of(t); node++) plan_tours_from(t, node, QTR_SPOT_BEST);
+}
+
+int qtr_targets_spots(qtr_targets *t, const qtr_game *game, const qtr_spots_config *config, uint8_t order) {
+  const qtr_spot_ground ground = ground_of(game);
+  begin(t, game);
+  const int status = qtr_spots_build(&t->spots, &ground, config, &t->spots_scratch);
+  if (status != QTR_OK) return status;
+  t->count = t->spots.count;
+  for (unsigned node = 0; node < nodes_of(t); node++) {
+    /* Places alone take no time. */
+    if (t->count < places_of(t) && !qtr_watch_go_on(&game->mission->watch)) return QTR_ERR_STOPPED;
+    plan_tours_from(t, node, order);
+  }
+  return QTR_OK;
+}
+
+double qtr_targets_probability(const qtr_targets *t, unsigned target) {
+  double probability = 0.0;
+  for (unsigned i = 0; i < t->spots.size[target]; i++) probability += t->game->probability[t->spots.place[target][i]];
+  return probability;
+}
+
+qtr_steps qtr_targets_duration(const qtr_targets *t, unsigned node, unsigned target) {
+  const uint16_t first = qtr_targets_first(t, node, target);
+  if (first == QTR_STAND_DOWN) return QTR_NEVER;
+  return qtr_board_steps(&t->game->board, QTR_ANY_SEEKER, node, first) + qtr_tour_length(&t->tour[first]);
+}
