@@ -9,8 +9,7 @@
 #include "outcome.h"
 #include "patience.h"
 #include "prepare.h"
-#include "printing.h"
-#include "quarter/status.h"
+#include "program.h"
 #include "record.h"
 #include "settings.h"
 
@@ -192,14 +191,11 @@ static int run(const settings *s, fault *why) {
   return status;
 }
 
+static int print_help(FILE *out) {
+  return fputs(help, out);
+}
+
 int main(int argc, char **argv) {
-  static settings s;
-  fault why;
-  if (settings_parse(&s, argc, argv, &why) != 0) return fault_exit(&why);
-  if (s.help) return print_whole("quarter-world", help);
-  if (s.version) return print_whole("quarter-world", "quarter-world " QTR_VERSION_STRING "\n");
-  const int status = run(&s, &why);
-  if (status == 0) return interrupted != 0 ? interrupted : EXIT_SUCCESS;
-  if (why.status != EXIT_STOPPED || !s.quiet) fault_exit(&why); /* who asked for the end and for silence gets both */
-  return status;
+  const program self = {"quarter-world", print_help, run, &interrupted};
+  return program_main(&self, argc, argv);
 }

@@ -191,7 +191,8 @@ static void print_line(FILE *out, const option_set *set, const option_line *line
   const char *names = line->options;
   const int column = line->column > 0 ? line->column : OPTION_COLUMN;
   const char *text = line->text != NULL ? line->text : find(set->table, names, strspn(names, name_letters))->help;
-  fprintf(out, "%*s", column - print_options(out, set, line), "");
+  const int apart = column - print_options(out, set, line);
+  fprintf(out, "%*s", apart > 0 ? apart : 1, "");
   for (; *text != '\0'; text++) {
     if (strncmp(text, "%s", 2) == 0)
       fputs(next_standard(set, &names), out), text++;
