@@ -62,7 +62,7 @@ static inline void scratch_read(const char *name) {
 
 static inline void scratch_expect_text(const char *wanted) {
   if (strstr(scratch_fault.text, wanted) != NULL) return;
-  static char message[FAULT_SIZE + 200];
+  static char message[FAULT_SIZE + 400];
   snprintf(message, sizeof message, "\"%s\" is not in: %s", wanted, scratch_fault.text);
   TEST_FAIL_MESSAGE(message);
 }
