@@ -133,7 +133,7 @@ static void test_hundreds_of_episodes_give_the_golden_table(void) {
     mission_crew(&table_mission, 2);
     dirty(0x5A);
     table_learn(0);
-    table_learner.pricing = false; /* the first prices alone, so that Q has the work */
+    table_learner.phase = QTR_PHASE_EPISODES; /* the first prices alone, so that Q has the work */
     for (unsigned step = 0; step < 400; step++) qtr_learner_step(&table_learner);
     TEST_ASSERT_GREATER_THAN(300, table_learner.episodes);
     table_export();

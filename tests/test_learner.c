@@ -43,7 +43,7 @@ static void weaken(test_random *random) {
   for (unsigned place = 0; place < mission.places; place++)
     learner.bound.price[place] = mission.objective == QTR_TIME ? 0.0 : 12.0 * random_unit(random);
   qtr_bound_settle(&learner.bound);
-  learner.pricing = false;
+  learner.phase = QTR_PHASE_EPISODES;
   learner.upper = mission.objective == QTR_TIME ? 0.0 : 1e6;
   learner.ground_upper = learner.upper;
   learner.best.score.value *= 1e-3;

@@ -97,6 +97,9 @@ typedef struct {
 /* Bytes of the largest record of a policy table. */
 #define QTR_RECORD_BYTES (4 * QTR_KEY_WORDS + 4)
 
+/* What a learner is at. The paper setting has no use for an aggregate's prices. */
+enum qtr_phase { QTR_PHASE_GROUND_PRICES = 0, QTR_PHASE_AGGREGATE_PRICES = 1, QTR_PHASE_EPISODES = 2 };
+
 /* Large: keep it in static storage. */
 typedef struct {
   const qtr_game *game;
@@ -104,11 +107,10 @@ typedef struct {
   const qtr_environment *environment; /* what is learnt on: the ground, or an aggregate of it */
   qtr_learner_config config;
   qtr_play best;
-  double upper;          /* certified: the largest Q of the first state; paper: the prices' bound */
-  double ground_upper;   /* the bound on the game itself, from its prices */
-  double max_q;          /* paper: the largest Q of the first state after the last episode */
-  bool pricing;          /* the bound is still being tuned */
-  bool aggregate_priced; /* the ground's prices are done with, and the aggregate's in force */
+  double upper;        /* certified: the largest Q of the first state; paper: the prices' bound */
+  double ground_upper; /* the bound on the game itself, from its prices */
+  double max_q;        /* paper: the largest Q of the first state after the last episode */
+  uint8_t phase;       /* enum qtr_phase */
   uint64_t episodes, updates;
   qtr_play play;
   qtr_routes routes;

@@ -1,0 +1,48 @@
+#include "learn/certificate.h"
+
+#include <math.h>
+
+#include "learn/role.h"
+
+/* The best game's worth and a share of the gap asked for. */
+double certificate_within(const qtr_learner *learner, double share) {
+  const double gap = learner->config.gap > QTR_LEAST_GAP ? learner->config.gap : QTR_LEAST_GAP;
+  return learner->best.score.worth + share * gap * fabs(learner->best.score.worth);
+}
+
+bool certificate_closed(const qtr_learner *learner) {
+  return learner->ground_upper <= certificate_within(learner, 1.0);
+}
+
+enum qtr_learning certificate_verdict(const qtr_learner *learner) {
+  if (learner->phase != QTR_PHASE_EPISODES || learner->upper > certificate_within(learner, 1.0)) return QTR_LEARNING;
+  return certificate_closed(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
+}
+
+/* Places that count for next to nothing: discounted away, or hardly likely. */
+static uint16_t count_negligible(const qtr_learner *learner) {
+  const qtr_play *best = &learner->best;
+  const double least = QTR_NEGLIGIBLE * fabs(best->score.worth);
+  uint16_t count = 0;
+  for (unsigned place = 0; place < learner->game->board.places; place++)
+    if (fabs(qtr_game_worth(learner->game, place, best->visit[place] > 0 ? best->visit[place] : 1)) < least) count++;
+  return count;
+}
+
+void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certificate) {
+  const qtr_score *score = &learner->best.score;
+  const qtr_objective *objective = &learner->game->objective;
+  const double worth = qtr_objective_of_score(objective, score);
+  const double upper = learner->ground_upper > worth ? learner->ground_upper : worth;
+  certificate->value = score->value;
+  certificate->expected_time = score->expected_time;
+  certificate->objective = qtr_objective_figure(objective, worth);
+  certificate->bound = qtr_objective_figure(objective, upper);
+  certificate->gap = upper > worth ? (upper - worth) / fabs(worth) : 0.0;
+  certificate->certified = certificate_closed(learner);
+  certificate->negligible_places = count_negligible(learner);
+  certificate->episodes = learner->episodes;
+  certificate->updates = learner->updates;
+  certificate->max_q = learner_is_paper(learner) ? learner->max_q : learner->upper;
+  certificate->price_steps = learner->bound.iterations;
+}

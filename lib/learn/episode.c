@@ -1,0 +1,109 @@
+#include "learn/episode.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "learn/role.h"
+
+/* The first difference of the settings: what Q is before it is learnt. The paper setting knows nothing; the certified one
+ * begins at an upper bound. */
+static double initial_value(const qtr_learner *learner, const qtr_situation *after) {
+  return learner_is_paper(learner) ? 0.0 : qtr_bound_state(&learner->bound, after);
+}
+
+/* In the certified setting the bound may be tighter than an entry that was made at another step of the clock. */
+static double entry_value(const qtr_learner *learner, const qtr_situation *after, const qtr_key *key) {
+  const double initial = initial_value(learner, after);
+  double stored;
+  if (!qtr_qtable_get(&learner->table, key, &stored)) return initial;
+  return learner_is_paper(learner) || stored < initial ? stored : initial;
+}
+
+static void add_candidate(qtr_learner *learner, const qtr_situation *state, int seeker, uint16_t choice) {
+  qtr_candidates *c = &learner->candidates;
+  const unsigned i = c->count++;
+  qtr_situation after = *state;
+  c->choice[i] = choice;
+  c->at_once[i] = qtr_environment_choose(learner->environment, &after, seeker, choice);
+  qtr_environment_key(learner->environment, &after, &c->key[i]);
+  c->q[i] = c->at_once[i] + entry_value(learner, &after, &c->key[i]);
+}
+
+/* Q of all that a seeker may choose, the places in their order, standing down last. */
+void episode_list(qtr_learner *learner, const qtr_situation *state, int seeker) {
+  const qtr_board *board = &learner->environment->board;
+  qtr_places choices;
+  const bool may_stand_down = qtr_joint_choices(&state->joint, board, seeker, &choices);
+  learner->candidates.count = 0;
+  for (uint16_t place = 0; place < board->places; place++)
+    if (qtr_places_has(&choices, place)) add_candidate(learner, state, seeker, place);
+  if (may_stand_down) add_candidate(learner, state, seeker, QTR_STAND_DOWN);
+}
+
+/* The candidate with the largest Q, the first among equals. */
+unsigned episode_greedy(const qtr_candidates *c) {
+  unsigned best = 0;
+  for (unsigned i = 1; i < c->count; i++)
+    if (c->q[i] > c->q[best]) best = i;
+  return best;
+}
+
+static double largest_but(const qtr_candidates *c, unsigned picked) {
+  double largest = -HUGE_VAL;
+  for (unsigned i = 0; i < c->count; i++)
+    if (i != picked && c->q[i] > largest) largest = c->q[i];
+  return largest;
+}
+
+void episode_note(qtr_learner *learner, unsigned picked) {
+  const qtr_candidates *c = &learner->candidates;
+  qtr_trace *trace = &learner->trace[learner->play.choices];
+  trace->key = c->key[picked];
+  trace->q = c->q[picked];
+  trace->runner_up = largest_but(c, picked);
+  trace->at_once = c->at_once[picked];
+}
+
+/* Make the choice noted last, and let time pass. */
+void episode_act(qtr_learner *learner, qtr_situation *state, int seeker, uint16_t choice) {
+  qtr_trace *trace = &learner->trace[learner->play.choices];
+  qtr_environment_choose(learner->environment, state, seeker, choice);
+  trace->first = state->at[seeker];
+  qtr_environment_pass(learner->environment, state, &trace->outcome);
+  qtr_play_add(&learner->play, seeker, choice);
+}
+
+/* Eq. 4.7, for the entry of a choice: `value` is the largest Q of the state that it led to. */
+double episode_backup(const qtr_trace *trace, double value) {
+  return trace->outcome.reward + trace->outcome.discount * value;
+}
+
+/* ---- what an episode is worth: what its choices earn on the ground ---- */
+
+/* Targets chosen become routes of places, each place for whoever chose it first. */
+void episode_play_on_ground(qtr_learner *learner) {
+  qtr_routes *routes = &learner->routes;
+  qtr_places taken;
+  qtr_places_clear(&taken);
+  for (unsigned seeker = 0; seeker < learner->game->board.seekers; seeker++) routes->length[seeker] = 0;
+  for (unsigned i = 0; i < learner->play.choices; i++) {
+    if (learner->play.choice[i] == QTR_STAND_DOWN) continue;
+    const unsigned seeker = learner->play.seeker[i];
+    const qtr_tour *tour = qtr_targets_tour(&learner->environment->targets, learner->trace[i].first);
+    for (unsigned j = 0; j < tour->places; j++) {
+      if (qtr_places_has(&taken, tour->place[j])) continue;
+      qtr_places_add(&taken, tour->place[j]);
+      routes->place[seeker][routes->length[seeker]++] = tour->place[j];
+    }
+  }
+  qtr_play_routes(&learner->play, learner->game, routes);
+}
+
+/* What counts is what the choices earn on the ground. */
+void episode_keep_if_best(qtr_learner *learner) {
+  if (learner_is_aggregate(learner))
+    episode_play_on_ground(learner);
+  else
+    qtr_play_score(&learner->play, learner->game);
+  if (qtr_score_is_better(&learner->play.score, &learner->best.score)) learner->best = learner->play;
+}

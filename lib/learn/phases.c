@@ -1,0 +1,136 @@
+#include "quarter/learner.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "learn/certificate.h"
+#include "learn/certified.h"
+#include "learn/episode.h"
+#include "learn/exploring.h"
+#include "learn/role.h"
+#include "quarter/status.h"
+
+#define PRICE_STEPS 16 /* of the bound in one step of the learner */
+#define FIRST_ROUNDS 8 /* of shaking the first game */
+
+void qtr_learner_config_default(qtr_learner_config *config) {
+  config->gap = 1e-5;
+  config->seed = 1;
+  config->setting = QTR_SETTING_CERTIFIED;
+  config->alpha = 1.0;
+  config->ground_search = true;
+  qtr_exploration_default(&config->exploration);
+}
+
+/* ---- set-up ---- */
+
+static int check_config(qtr_learner *learner, const qtr_learner_config *config) {
+  if (!(config->gap >= 0.0 && config->gap < HUGE_VAL) || config->setting > QTR_SETTING_PAPER) return QTR_ERR_ARGUMENT;
+  if (!(config->alpha > 0.0 && config->alpha <= 1.0)) return QTR_ERR_ARGUMENT;
+  if (config->setting == QTR_SETTING_CERTIFIED && !qtr_sight_is_exact(&learner->environment->sight))
+    return QTR_ERR_ARGUMENT;
+  if (learner_is_aggregate(learner) && learner->game->board.rule != QTR_RULE_FREE) return QTR_ERR_ARGUMENT;
+  return qtr_explorer_init(&learner->explorer, &config->exploration, config->seed);
+}
+
+/* As on the ground: always the most likely target for the time that it takes. */
+static void play_aggregate_by_rate(qtr_learner *learner) {
+  const qtr_environment *environment = learner->environment;
+  qtr_situation state;
+  int seeker;
+  qtr_play_begin(&learner->play);
+  qtr_environment_start(environment, &state);
+  while ((seeker = qtr_joint_chooser(&state.joint, &environment->board)) != QTR_NOBODY) {
+    qtr_places choices;
+    uint16_t choice = QTR_STAND_DOWN;
+    double best = -1.0;
+    qtr_joint_choices(&state.joint, &environment->board, seeker, &choices);
+    for (uint16_t target = 0; target < environment->targets.count; target++) {
+      if (!qtr_places_has(&choices, target)) continue;
+      const double rate = qtr_environment_rate(environment, state.at[seeker], target);
+      if (rate <= best) continue;
+      best = rate;
+      choice = target;
+    }
+    episode_act(learner, &state, seeker, choice);
+  }
+  episode_play_on_ground(learner);
+  learner->best = learner->play;
+}
+
+/* A first game to tune the ground's prices by. The paper setting and aggregates learn alone: it counts for nothing once
+ * they have played. */
+static void play_first(qtr_learner *learner) {
+  qtr_play_by_rate(&learner->best, learner->game);
+  if (learner_is_aggregate(learner)) play_aggregate_by_rate(learner);
+  if (learner_learns_alone(learner)) return;
+  learner->episodes = 1;
+  certified_refine(learner, FIRST_ROUNDS);
+}
+
+int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, const qtr_environment *aggregate,
+                           const qtr_learner_config *config, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  learner->game = ground->game;
+  learner->ground = ground;
+  learner->environment = aggregate != NULL ? aggregate : ground;
+  const int status = check_config(learner, config);
+  if (status != QTR_OK) return status;
+  learner->config = *config;
+  learner->episodes = 0;
+  learner->updates = 0;
+  learner->max_q = 0.0;
+  learner->phase = QTR_PHASE_GROUND_PRICES;
+  play_first(learner);
+  qtr_qtable_init(&learner->table, &learner->environment->keys,
+                  !learner_is_paper(learner) && config->gap < QTR_FLOAT_GAP);
+  qtr_bound_init(&learner->bound, ground, learner->best.visit);
+  learner->upper = learner->bound.upper;
+  learner->ground_upper = learner->upper;
+  return QTR_OK;
+}
+
+/* ---- phases: prices of the ground, prices of an aggregate, episodes ---- */
+
+/* The aggregate's prices bound its policies, and no others. */
+static void begin_aggregate(qtr_learner *learner) {
+  learner->phase = QTR_PHASE_AGGREGATE_PRICES;
+  qtr_bound_init(&learner->bound, learner->environment, learner->best.visit);
+  learner->upper = learner->bound.upper;
+}
+
+static void note_upper(qtr_learner *learner) {
+  const double upper = learner->bound.upper;
+  const bool of_ground = learner->phase == QTR_PHASE_GROUND_PRICES;
+  if (of_ground && upper < learner->ground_upper) learner->ground_upper = upper;
+  if ((!of_ground || !learner_is_aggregate(learner)) && upper < learner->upper) learner->upper = upper;
+}
+
+static void tune_prices(qtr_learner *learner) {
+  bool improves = true;
+  for (int i = 0; i < PRICE_STEPS && improves; i++)
+    improves = qtr_bound_improve(&learner->bound, learner->best.score.worth);
+  note_upper(learner);
+  if (improves || !qtr_bound_settle(&learner->bound)) return;
+  if (learner->phase == QTR_PHASE_GROUND_PRICES && learner_is_aggregate(learner) && !learner_is_paper(learner))
+    begin_aggregate(learner);
+  else
+    learner->phase = QTR_PHASE_EPISODES;
+}
+
+static enum qtr_learning step_prices(qtr_learner *learner) {
+  if (!learner_learns_alone(learner) && certificate_closed(learner)) return QTR_CERTIFIED;
+  tune_prices(learner);
+  return !learner_learns_alone(learner) && certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
+}
+
+enum qtr_learning qtr_learner_step(qtr_learner *learner) {
+  if (learner->phase != QTR_PHASE_EPISODES) return step_prices(learner);
+  if (learner_is_paper(learner)) return exploring_step(learner);
+  const enum qtr_learning verdict = certificate_verdict(learner);
+  return verdict != QTR_LEARNING ? verdict : certified_step(learner);
+}
+
+const qtr_play *qtr_learner_best(const qtr_learner *learner) {
+  return &learner->best;
+}
