@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "settings.h"
-#include "unity.h"
+#include "support/tool_run.h"
 
 enum { WORDS_MOST = 32 };
 
@@ -161,8 +161,45 @@ static void test_what_does_not_go_together_is_refused(void) {
   refuse("--follow --log a m.yaml", "--follow");
 }
 
+/* Of the lines of docs/demo.md that show how to run it. */
+static void test_what_the_documentation_shows_is_taken(void) {
+  static char page[60000];
+  int shown = 0;
+  read_text(QUARTER_SOURCE_DIR "/docs/demo.md", page, sizeof page);
+  for (char *line = strtok(page, "\n"); line != NULL; line = strtok(NULL, "\n")) {
+    const char *word = strstr(line, "./run demo ");
+    while (word != NULL && (word = strstr(word, " --")) != NULL) {
+      char name[40];
+      word += 3;
+      snprintf(name, sizeof name, "%.*s", (int)strspn(word, "abcdefghijklmnopqrstuvwxyz-"), word);
+      TEST_ASSERT_TRUE_MESSAGE(option_is_taken(&settings_options, name), name);
+      shown++;
+    }
+  }
+  TEST_ASSERT_GREATER_THAN_INT(6, shown);
+}
+
+static void test_the_default_that_help_tells_is_the_default(void) {
+  static settings by_default;
+  int told = 0;
+  TEST_ASSERT_EQUAL_INT(0, parse("m.yaml"));
+  by_default = s;
+  for (const option_record *r = settings_options.table; r->name != NULL; r++) {
+    static char words[250];
+    if (r->standard == NULL) continue;
+    snprintf(words, sizeof words, "--%s %s m.yaml", r->name, r->standard);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, parse(words), words);
+    TEST_ASSERT_EQUAL_UINT64_MESSAGE(by_default.seed, s.seed, words);
+    TEST_ASSERT_EQUAL_DOUBLE_MESSAGE(by_default.learn_limit, s.learn_limit, words);
+    told++;
+  }
+  TEST_ASSERT_EQUAL_INT(2, told);
+}
+
 int main(void) {
   UNITY_BEGIN();
+  RUN_TEST(test_what_the_documentation_shows_is_taken);
+  RUN_TEST(test_the_default_that_help_tells_is_the_default);
   RUN_TEST(test_a_mission_alone_has_the_documented_defaults);
   RUN_TEST(test_every_option_is_taken);
   RUN_TEST(test_the_other_ways_of_playing_are_taken);

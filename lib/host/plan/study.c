@@ -18,8 +18,13 @@ int study_divide(study *s, const plan_aggregation *how, fault *why) {
   return fault_set(why, "%s: its regions: %s", s->p.in.path, qtr_strerror(status));
 }
 
-/* On the ground an aggregate's policy is played by the free rule, whatever the rule that it was learnt by.
- * 0, -1 with *why set, or QTR_ERR_STOPPED. */
+/* The ground has the mission's own rule, but under an aggregate: its policy is played on the ground by the free one, whatever
+ * the rule that it was learnt by. */
+static void set_ground_rule(study *s) {
+  s->p.game.board.rule = s->aggregated ? QTR_RULE_FREE : s->p.in.mission.rule;
+}
+
+/* 0, -1 with *why set, or QTR_ERR_STOPPED. */
 static int make_aggregate(study *s, const plan_aggregation *how, fault *why) {
   const qtr_aggregation units = {
       .rule = s->p.in.mission.rule,
@@ -28,7 +33,6 @@ static int make_aggregate(study *s, const plan_aggregation *how, fault *why) {
       .spot_order = (uint8_t)how->spot_order,
       .regions = how->by_regions ? &s->regions : NULL,
       .region_times = (uint8_t)how->region_times};
-  s->p.game.board.rule = QTR_RULE_FREE;
   int status = how->by_regions ? study_divide(s, how, why) : QTR_OK;
   if (status != QTR_OK) return status;
   status = qtr_environment_init(&s->aggregate, &s->p.game, &units, &s->p.field);
@@ -40,11 +44,12 @@ int study_begin(study *s, const plan_config *config, fault *why) {
   qtr_learner_config learning = config->learner;
   learning.ground_search = !s->measuring;
   s->aggregated = config->aggregation.by_regions || config->aggregation.by_spots;
+  set_ground_rule(s);
   int status = s->aggregated ? make_aggregate(s, &config->aggregation, why) : QTR_OK;
   if (status != QTR_OK && status != QTR_ERR_STOPPED) return -1;
+  /* An aggregate that was not ready in time leaves the true map. */
   s->aggregated = s->aggregated && status == QTR_OK;
-  /* An aggregate that was not ready in time leaves the true map, and there the mission's own rule. */
-  if (!s->aggregated) s->p.game.board.rule = s->p.in.mission.rule;
+  set_ground_rule(s);
   status = qtr_environment_init(&s->ground, &s->p.game, NULL, &s->p.field);
   const qtr_environment *aggregate = s->aggregated ? &s->aggregate : NULL;
   if (status == QTR_OK) status = qtr_learner_init(&s->learner, &s->ground, aggregate, &learning);
