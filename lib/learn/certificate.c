@@ -5,18 +5,19 @@
 #include "learn/role.h"
 
 /* The best game's worth and a share of the gap asked for. */
-double certificate_within(const qtr_learner *learner, double share) {
+double qtr_certificate_within(const qtr_learner *learner, double share) {
   const double gap = learner->config.gap > QTR_LEAST_GAP ? learner->config.gap : QTR_LEAST_GAP;
   return learner->best.score.worth + share * gap * fabs(learner->best.score.worth);
 }
 
-bool certificate_closed(const qtr_learner *learner) {
-  return learner->ground_upper <= certificate_within(learner, 1.0);
+bool qtr_certificate_closed(const qtr_learner *learner) {
+  return learner->ground_upper <= qtr_certificate_within(learner, 1.0);
 }
 
-enum qtr_learning certificate_verdict(const qtr_learner *learner) {
-  if (learner->phase != QTR_PHASE_EPISODES || learner->upper > certificate_within(learner, 1.0)) return QTR_LEARNING;
-  return certificate_closed(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
+enum qtr_learning qtr_certificate_verdict(const qtr_learner *learner) {
+  if (learner->phase != QTR_PHASE_EPISODES || learner->upper > qtr_certificate_within(learner, 1.0))
+    return QTR_LEARNING;
+  return qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
 }
 
 /* Places that count for next to nothing: discounted away, or hardly likely. */
@@ -39,7 +40,7 @@ void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certif
   certificate->objective = qtr_objective_figure(objective, worth);
   certificate->bound = qtr_objective_figure(objective, upper);
   certificate->gap = upper > worth ? (upper - worth) / fabs(worth) : 0.0;
-  certificate->certified = certificate_closed(learner);
+  certificate->certified = qtr_certificate_closed(learner);
   certificate->negligible_places = count_negligible(learner);
   certificate->episodes = learner->episodes;
   certificate->updates = learner->updates;

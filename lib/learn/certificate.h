@@ -5,12 +5,12 @@
 #include "quarter/learner.h"
 
 /* The best game's worth and a share of the gap asked for: what is bounded by it is as good as found. */
-double certificate_within(const qtr_learner *learner, double share);
+double qtr_certificate_within(const qtr_learner *learner, double share);
 
 /* Whether no policy on the ground beats the best game by more than the gap asked for. */
-bool certificate_closed(const qtr_learner *learner);
+bool qtr_certificate_closed(const qtr_learner *learner);
 
 /* Where learning stands when nothing stopped it: on an aggregate it may be at its end with a gap that is the aggregate's. */
-enum qtr_learning certificate_verdict(const qtr_learner *learner);
+enum qtr_learning qtr_certificate_verdict(const qtr_learner *learner);
 
 #endif

@@ -13,7 +13,7 @@
 static double back_up_all(qtr_learner *learner, double value) {
   for (unsigned i = learner->play.choices; i-- > 0;) {
     const qtr_trace *trace = &learner->trace[i];
-    const double backup = qtr_qtable_round_up(&learner->table, episode_backup(trace, value));
+    const double backup = qtr_qtable_round_up(&learner->table, qtr_episode_backup(trace, value));
     double q = trace->at_once + backup;
     if (q < trace->q && qtr_qtable_set(&learner->table, &trace->key, backup))
       learner->updates++;
@@ -27,7 +27,7 @@ static double back_up_all(qtr_learner *learner, double value) {
 /* One game, given up as soon as it cannot beat the best one, or when stopped. */
 static void certified_run(qtr_learner *learner) {
   /* Half of the gap: the other half takes up what rounding adds on the way back to the first state. */
-  const double hopeless = certificate_within(learner, 0.5);
+  const double hopeless = qtr_certificate_within(learner, 0.5);
   qtr_situation state;
   double earned = 0.0;
   double discount = 1.0;
@@ -36,29 +36,29 @@ static void certified_run(qtr_learner *learner) {
   qtr_play_begin(&learner->play);
   qtr_environment_start(learner->environment, &state);
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
-    episode_list(learner, &state, seeker);
-    const unsigned picked = episode_greedy(&learner->candidates);
+    qtr_episode_list(learner, &state, seeker);
+    const unsigned picked = qtr_episode_greedy(&learner->candidates);
     const qtr_trace *trace = &learner->trace[learner->play.choices];
-    episode_note(learner, picked);
+    qtr_episode_note(learner, picked);
     if (earned + discount * trace->q <= hopeless || !learner_may_go_on(learner)) {
       value = trace->q;
       break;
     }
-    episode_act(learner, &state, seeker, learner->candidates.choice[picked]);
+    qtr_episode_act(learner, &state, seeker, learner->candidates.choice[picked]);
     earned += discount * (trace->at_once + trace->outcome.reward);
     discount *= trace->outcome.discount;
   }
   const double upper = back_up_all(learner, value);
   if (upper < learner->upper) learner->upper = upper;
   if (!learner_is_aggregate(learner)) learner->ground_upper = learner->upper;
-  if (seeker == QTR_NOBODY) episode_keep_if_best(learner);
+  if (seeker == QTR_NOBODY) qtr_episode_keep_if_best(learner);
 }
 
 /* ---- local search on the best game ---- */
 
 /* Not where the setting's own best policy is sought; nor under the paper's rule, where routes alone do not make a game: who
  * must choose when depends on the others. */
-void certified_refine(qtr_learner *learner, unsigned rounds) {
+void qtr_certified_refine(qtr_learner *learner, unsigned rounds) {
   if (learner_learns_alone(learner) || learner->game->board.rule != QTR_RULE_FREE) return;
   qtr_play_to_routes(&learner->best, learner->game, &learner->routes);
   qtr_refine(&learner->refinery, &learner->routes, learner->game, rounds, learner->config.seed + learner->episodes);
@@ -66,15 +66,15 @@ void certified_refine(qtr_learner *learner, unsigned rounds) {
   if (qtr_score_is_better(&learner->play.score, &learner->best.score)) learner->best = learner->play;
 }
 
-enum qtr_learning certified_step(qtr_learner *learner) {
+enum qtr_learning qtr_certified_step(qtr_learner *learner) {
   const uint64_t updates = learner->updates;
   const double best = learner->best.score.worth;
   const double upper = learner->upper;
   learner->episodes++;
   certified_run(learner);
-  if (learner->best.score.worth > best) certified_refine(learner, LATER_ROUNDS);
+  if (learner->best.score.worth > best) qtr_certified_refine(learner, LATER_ROUNDS);
   if (!learner_is_aggregate(learner)) learner->ground_upper = learner->upper;
   const bool learnt = learner->updates > updates || learner->best.score.worth > best || learner->upper < upper;
-  return learnt || certificate_closed(learner) || !learner_may_go_on(learner) ? certificate_verdict(learner)
-                                                                              : QTR_CONVERGED;
+  return learnt || qtr_certificate_closed(learner) || !learner_may_go_on(learner) ? qtr_certificate_verdict(learner)
+                                                                                  : QTR_CONVERGED;
 }

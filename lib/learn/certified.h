@@ -6,9 +6,9 @@
 #include "quarter/learner.h"
 
 /* One episode, and search on from what it found. */
-enum qtr_learning certified_step(qtr_learner *learner);
+enum qtr_learning qtr_certified_step(qtr_learner *learner);
 
 /* Local search on the best game, with `rounds` of shaking. */
-void certified_refine(qtr_learner *learner, unsigned rounds);
+void qtr_certified_refine(qtr_learner *learner, unsigned rounds);
 
 #endif

@@ -30,7 +30,7 @@ static void add_candidate(qtr_learner *learner, const qtr_situation *state, int 
 }
 
 /* Q of all that a seeker may choose, the places in their order, standing down last. */
-void episode_list(qtr_learner *learner, const qtr_situation *state, int seeker) {
+void qtr_episode_list(qtr_learner *learner, const qtr_situation *state, int seeker) {
   const qtr_board *board = &learner->environment->board;
   qtr_places choices;
   const bool may_stand_down = qtr_joint_choices(&state->joint, board, seeker, &choices);
@@ -41,7 +41,7 @@ void episode_list(qtr_learner *learner, const qtr_situation *state, int seeker) 
 }
 
 /* The candidate with the largest Q, the first among equals. */
-unsigned episode_greedy(const qtr_candidates *c) {
+unsigned qtr_episode_greedy(const qtr_candidates *c) {
   unsigned best = 0;
   for (unsigned i = 1; i < c->count; i++)
     if (c->q[i] > c->q[best]) best = i;
@@ -55,7 +55,7 @@ static double largest_but(const qtr_candidates *c, unsigned picked) {
   return largest;
 }
 
-void episode_note(qtr_learner *learner, unsigned picked) {
+void qtr_episode_note(qtr_learner *learner, unsigned picked) {
   const qtr_candidates *c = &learner->candidates;
   qtr_trace *trace = &learner->trace[learner->play.choices];
   trace->key = c->key[picked];
@@ -65,7 +65,7 @@ void episode_note(qtr_learner *learner, unsigned picked) {
 }
 
 /* Make the choice noted last, and let time pass. */
-void episode_act(qtr_learner *learner, qtr_situation *state, int seeker, uint16_t choice) {
+void qtr_episode_act(qtr_learner *learner, qtr_situation *state, int seeker, uint16_t choice) {
   qtr_trace *trace = &learner->trace[learner->play.choices];
   qtr_environment_choose(learner->environment, state, seeker, choice);
   trace->first = state->at[seeker];
@@ -74,14 +74,14 @@ void episode_act(qtr_learner *learner, qtr_situation *state, int seeker, uint16_
 }
 
 /* Eq. 4.7, for the entry of a choice: `value` is the largest Q of the state that it led to. */
-double episode_backup(const qtr_trace *trace, double value) {
+double qtr_episode_backup(const qtr_trace *trace, double value) {
   return trace->outcome.reward + trace->outcome.discount * value;
 }
 
 /* ---- what an episode is worth: what its choices earn on the ground ---- */
 
 /* Targets chosen become routes of places, each place for whoever chose it first. */
-void episode_play_on_ground(qtr_learner *learner) {
+void qtr_episode_play_on_ground(qtr_learner *learner) {
   qtr_routes *routes = &learner->routes;
   qtr_places taken;
   qtr_places_clear(&taken);
@@ -100,9 +100,9 @@ void episode_play_on_ground(qtr_learner *learner) {
 }
 
 /* What counts is what the choices earn on the ground. */
-void episode_keep_if_best(qtr_learner *learner) {
+void qtr_episode_keep_if_best(qtr_learner *learner) {
   if (learner_is_aggregate(learner))
-    episode_play_on_ground(learner);
+    qtr_episode_play_on_ground(learner);
   else
     qtr_play_score(&learner->play, learner->game);
   if (qtr_score_is_better(&learner->play.score, &learner->best.score)) learner->best = learner->play;

@@ -11,7 +11,7 @@ static void back_up_last(qtr_learner *learner, double value) {
   if (learner->play.choices == 0) return;
   const qtr_trace *trace = &learner->trace[learner->play.choices - 1];
   const double before = trace->q - trace->at_once;
-  const double after = before + learner->config.alpha * (episode_backup(trace, value) - before);
+  const double after = before + learner->config.alpha * (qtr_episode_backup(trace, value) - before);
   if (qtr_qtable_nearest(&learner->table, after) == qtr_qtable_nearest(&learner->table, before) && before != 0.0)
     return;
   if (qtr_qtable_set(&learner->table, &trace->key, after)) learner->updates++;
@@ -25,12 +25,12 @@ static bool run_exploring_episode(qtr_learner *learner) {
   qtr_environment_start(learner->environment, &state);
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     if (!learner_may_go_on(learner)) return false;
-    episode_list(learner, &state, seeker);
-    const double largest = learner->candidates.q[episode_greedy(&learner->candidates)];
+    qtr_episode_list(learner, &state, seeker);
+    const double largest = learner->candidates.q[qtr_episode_greedy(&learner->candidates)];
     back_up_last(learner, largest);
     const unsigned picked = qtr_explorer_pick(&learner->explorer, learner->candidates.q, learner->candidates.count);
-    episode_note(learner, picked);
-    episode_act(learner, &state, seeker, learner->candidates.choice[picked]);
+    qtr_episode_note(learner, picked);
+    qtr_episode_act(learner, &state, seeker, learner->candidates.choice[picked]);
   }
   back_up_last(learner, 0.0);
   qtr_explorer_next(&learner->explorer);
@@ -45,18 +45,18 @@ static void play_greedily(qtr_learner *learner) {
   qtr_environment_start(learner->environment, &state);
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     if (!learner_may_go_on(learner)) return;
-    episode_list(learner, &state, seeker);
-    const unsigned picked = episode_greedy(&learner->candidates);
+    qtr_episode_list(learner, &state, seeker);
+    const unsigned picked = qtr_episode_greedy(&learner->candidates);
     if (learner->play.choices == 0) learner->max_q = learner->candidates.q[picked];
-    episode_act(learner, &state, seeker, learner->candidates.choice[picked]);
+    qtr_episode_act(learner, &state, seeker, learner->candidates.choice[picked]);
   }
   if (learner->episodes == 1) learner->best.score.worth = -HUGE_VAL;
-  episode_keep_if_best(learner);
+  qtr_episode_keep_if_best(learner);
 }
 
-enum qtr_learning exploring_step(qtr_learner *learner) {
+enum qtr_learning qtr_exploring_step(qtr_learner *learner) {
   if (!run_exploring_episode(learner)) return QTR_LEARNING;
   learner->episodes++;
   play_greedily(learner);
-  return learner->config.gap > 0.0 && certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
+  return learner->config.gap > 0.0 && qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
 }

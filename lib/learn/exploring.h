@@ -6,6 +6,6 @@
 #include "quarter/learner.h"
 
 /* One episode, and the greedy policy played after it. */
-enum qtr_learning exploring_step(qtr_learner *learner);
+enum qtr_learning qtr_exploring_step(qtr_learner *learner);
 
 #endif

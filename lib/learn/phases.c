@@ -52,9 +52,9 @@ static void play_aggregate_by_rate(qtr_learner *learner) {
       best = rate;
       choice = target;
     }
-    episode_act(learner, &state, seeker, choice);
+    qtr_episode_act(learner, &state, seeker, choice);
   }
-  episode_play_on_ground(learner);
+  qtr_episode_play_on_ground(learner);
   learner->best = learner->play;
 }
 
@@ -65,7 +65,7 @@ static void play_first(qtr_learner *learner) {
   if (learner_is_aggregate(learner)) play_aggregate_by_rate(learner);
   if (learner_learns_alone(learner)) return;
   learner->episodes = 1;
-  certified_refine(learner, FIRST_ROUNDS);
+  qtr_certified_refine(learner, FIRST_ROUNDS);
 }
 
 int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, const qtr_environment *aggregate,
@@ -119,16 +119,16 @@ static void tune_prices(qtr_learner *learner) {
 }
 
 static enum qtr_learning step_prices(qtr_learner *learner) {
-  if (!learner_learns_alone(learner) && certificate_closed(learner)) return QTR_CERTIFIED;
+  if (!learner_learns_alone(learner) && qtr_certificate_closed(learner)) return QTR_CERTIFIED;
   tune_prices(learner);
-  return !learner_learns_alone(learner) && certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
+  return !learner_learns_alone(learner) && qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
 }
 
 enum qtr_learning qtr_learner_step(qtr_learner *learner) {
   if (learner->phase != QTR_PHASE_EPISODES) return step_prices(learner);
-  if (learner_is_paper(learner)) return exploring_step(learner);
-  const enum qtr_learning verdict = certificate_verdict(learner);
-  return verdict != QTR_LEARNING ? verdict : certified_step(learner);
+  if (learner_is_paper(learner)) return qtr_exploring_step(learner);
+  const enum qtr_learning verdict = qtr_certificate_verdict(learner);
+  return verdict != QTR_LEARNING ? verdict : qtr_certified_step(learner);
 }
 
 const qtr_play *qtr_learner_best(const qtr_learner *learner) {
