@@ -82,6 +82,9 @@ static void test_rows_columns_and_the_frame(void) {
   TEST_ASSERT_EQUAL_DOUBLE(0.5, scratch_input.frame.cell_size);
   TEST_ASSERT_EQUAL_DOUBLE(-1.0, scratch_input.frame.origin_x);
   TEST_ASSERT_EQUAL_DOUBLE(2.0, scratch_input.frame.origin_y);
+  TEST_ASSERT_EQUAL_UINT32(500000, scratch_input.mission.frame.cell_size_um);
+  TEST_ASSERT_EQUAL_INT64(-1000000, scratch_input.mission.frame.origin_x_um);
+  TEST_ASSERT_EQUAL_INT64(2000000, scratch_input.mission.frame.origin_y_um);
   const input_position centre = frame_centre(&scratch_input, 3, true);
   TEST_ASSERT_EQUAL_DOUBLE(-0.25, centre.x);
   TEST_ASSERT_EQUAL_DOUBLE(2.25, centre.y);

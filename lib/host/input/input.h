@@ -40,11 +40,11 @@ typedef struct {
 
 typedef struct {
   qtr_mission mission;
-  input_frame frame;
-  char path[INPUT_PATH_SIZE];                    /* the input itself */
-  char map[INPUT_PATH_SIZE];                     /* the map: the input again, or what the mission names */
-  char csv[INPUT_PATH_SIZE];                     /* the mission's places_csv; empty: none */
-  char name[INPUT_NAME_SIZE];                    /* the mission's `name`; empty: none */
+  input_frame frame;          /* as positions are stated; mission.frame is the same one as a table holds it */
+  char path[INPUT_PATH_SIZE]; /* the input itself */
+  char map[INPUT_PATH_SIZE];  /* the map: the input again, or what the mission names */
+  char csv[INPUT_PATH_SIZE];  /* the mission's places_csv; empty: none */
+  char name[INPUT_NAME_SIZE]; /* the mission's `name`; empty: none */
   bool objective_given, gamma_given, rule_given; /* stated in the mission file */
   double robot_radius;                           /* metres by which obstacles were inflated */
   input_origin start_origin[QTR_MAX_SEEKERS];

@@ -8,6 +8,7 @@
 #include "host/input/decode.h"
 #include "host/input/drawing.h"
 #include "host/input/foreign.h"
+#include "host/input/frame.h"
 #include "host/input/kind.h"
 #include "host/input/mission_file.h"
 #include "host/input/movingai.h"
@@ -98,5 +99,7 @@ int input_read(input *in, const char *path, const input_options *options, fault 
   if (file_read(&bytes, path, FILE_MAP_LIMIT, NULL, why)) return -1;
   int result = read_bytes(in, &bytes, options, why);
   file_free(&bytes);
-  return result != 0 ? -1 : sites_finish(in, options, why);
+  if (result != 0) return -1;
+  frame_in_um(&in->frame, &in->mission.frame);
+  return sites_finish(in, options, why);
 }

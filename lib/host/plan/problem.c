@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "host/base/stop.h"
-#include "host/input/frame.h"
 #include "host/input/read.h"
 #include "quarter/status.h"
 
@@ -82,7 +81,6 @@ static int fault_discount(const problem *p, int place, fault *why) {
 int problem_load(problem *p, const char *path, const plan_config *config, fault *why) {
   if (plan_config_check(config, why) != 0 || input_read(&p->in, path, &config->reading, why) != 0) return -1;
   override(&p->in.mission, config);
-  frame_in_um(&p->in.frame, &p->in.mission.frame);
   p->in.mission.watch = stop_watch();
   return 0;
 }
