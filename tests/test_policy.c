@@ -122,23 +122,6 @@ static void test_values_out_of_their_range_are_refused(void) {
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_HEADER_BYTES + 1, 2, 1); /* seeker 1's start */
 }
 
-/* ---- deployment ---- */
-
-static void test_seekers_are_put_at_starts_of_the_table_and_nowhere_else(void) {
-  qtr_policy policy;
-  table_draw("S..1..S/...2...", 0);
-  table_open(&policy);
-  const qtr_cell swapped[2] = {6, 0};
-  const qtr_cell off_start[2] = {0, 1};
-  const qtr_cell off_map[2] = {0, 14};
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_deploy(&policy, swapped));
-  TEST_ASSERT_EQUAL_UINT16(1, policy.board.start_of[0]);
-  TEST_ASSERT_EQUAL_UINT16(0, policy.board.start_of[1]);
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_START, qtr_policy_deploy(&policy, off_start));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_START, qtr_policy_deploy(&policy, off_map));
-  TEST_ASSERT_EQUAL_UINT16(1, policy.board.start_of[0]);
-}
-
 static void test_objective_that_is_none_is_refused(void) {
   make_table();
   expect_field(QTR_ERR_CORRUPT, QTR_POLICY_OBJECTIVE, 2, 1);
@@ -258,7 +241,9 @@ static void play_forged(unsigned self, const qtr_places *cleared) {
   qtr_seeker seeker;
   uint8_t territory;
   const unsigned most = (policy.board.places + 1u) * policy.board.seekers + 2u;
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_seeker_init(&seeker, &policy, self, cleared), case_note);
+  qtr_deployment deployment;
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_deployment_init(&deployment, &policy, NULL, cleared));
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_seeker_init(&seeker, &policy, self, &deployment), case_note);
   unsigned visits = 0;
   for (; qtr_seeker_target(&seeker) != QTR_STAND_DOWN; visits++) {
     const uint16_t target = qtr_seeker_target(&seeker);
@@ -404,7 +389,6 @@ int main(void) {
   RUN_TEST(test_caller_of_another_build_is_refused);
   RUN_TEST(test_dimensions_of_nothing_are_refused);
   RUN_TEST(test_values_out_of_their_range_are_refused);
-  RUN_TEST(test_seekers_are_put_at_starts_of_the_table_and_nowhere_else);
   RUN_TEST(test_objective_that_is_none_is_refused);
   RUN_TEST(test_more_than_the_build_holds_is_refused);
   RUN_TEST(test_sizes_that_do_not_add_up_are_refused);

@@ -298,34 +298,8 @@ static void test_map_without_metres_lies_nowhere(void) {
 
 /* ---- regions ---- */
 
-/* Cells 0 to 3 go by cell 1, cells 5 and 6 by cell 6; the mission's own start is cell 3. */
 static void make_regions(void) {
-  static const qtr_cell start[3] = {1, 6, 3};
-  static const uint16_t region[7] = {0, 0, 0, 0, 0xFFFF, 1, 1};
-  static uint8_t steps[4 * 5 * 2];
-  qtr_certificate certificate;
-  table_draw("1..S#.2/.......", 1);
-  qtr_learner_certificate(&table_learner, &certificate);
-  const qtr_grid grid = qtr_mission_grid(&table_mission);
-  qtr_board board = table_game.board;
-  board.starts = 3;
-  board.start_of[0] = 2;
-  board.steps = steps;
-  for (unsigned place = 0; place < 2; place++) {
-    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_field_fill(&table_field, &grid, table_mission.place[place]));
-    for (unsigned node = 0; node < 5; node++) {
-      const qtr_cell cell = node < 2 ? table_mission.place[node] : start[node - 2];
-      store32_le(steps + 4 * (node * 2 + place), table_field.to_go[cell]);
-    }
-  }
-  uint16_t of[14];
-  for (unsigned cell = 0; cell < 14; cell++) of[cell] = cell < 7 ? region[cell] : region[cell - 7 == 4 ? 5 : cell - 7];
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
-  const qtr_table_content content = {&table_mission, &board, table_game.probability, start, of,
-                                     NULL,           0,      &certificate,           1};
-  const int32_t written = qtr_table_write(&content, table_bytes, sizeof table_bytes);
-  TEST_ASSERT_GREATER_THAN(0, written);
-  table_size = (uint32_t)written;
+  table_draw_regions();
   take();
 }
 
@@ -360,23 +334,6 @@ static void test_region_whose_start_lies_elsewhere_is_refused(void) {
   expect_region(QTR_OK, 2, 1);          /* another division is one */
 }
 
-/* Home, all play from where the mission says; elsewhere from their regions' starts; and home again. */
-static void test_seekers_play_from_home_or_from_their_regions(void) {
-  const qtr_cell home = 3;
-  const qtr_cell left = 0;
-  const qtr_cell right = 13;
-  const qtr_cell wall = 4;
-  make_regions();
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_deploy(&policy, &right));
-  TEST_ASSERT_EQUAL_UINT16(1, policy.board.start_of[0]);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_deploy(&policy, &left));
-  TEST_ASSERT_EQUAL_UINT16(0, policy.board.start_of[0]);
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_START, qtr_policy_deploy(&policy, &wall));
-  TEST_ASSERT_EQUAL_UINT16(0, policy.board.start_of[0]);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_deploy(&policy, &home));
-  TEST_ASSERT_EQUAL_UINT16(2, policy.board.start_of[0]);
-}
-
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_way_that_one_node_alone_lacks_is_refused);
@@ -400,6 +357,5 @@ int main(void) {
   RUN_TEST(test_region_that_is_none_is_refused);
   RUN_TEST(test_blocked_cell_is_of_no_region);
   RUN_TEST(test_region_whose_start_lies_elsewhere_is_refused);
-  RUN_TEST(test_seekers_play_from_home_or_from_their_regions);
   return UNITY_END();
 }

@@ -236,8 +236,12 @@ static void test_node_or_place_that_is_none_has_no_cell_weight_or_way(void) {
       const unsigned place = any_number(&random, places);
       TEST_ASSERT_EQUAL_MESSAGE(node >= nodes, qtr_policy_cell(&policy, node) == QTR_NO_CELL, case_note);
       TEST_ASSERT_EQUAL_MESSAGE(place >= places, qtr_policy_weight(&policy, place) == 0, case_note);
-      const qtr_steps steps = qtr_board_steps(&policy.board, QTR_ANY_SEEKER, node, place);
-      if (node >= nodes || place >= places) TEST_ASSERT_EQUAL_UINT32_MESSAGE(QTR_NEVER, steps, case_note);
+      const unsigned seeker = any_number(&random, policy.board.seekers);
+      const qtr_cell cell = (qtr_cell)any_number(&random, qtr_grid_cells(&policy.grid));
+      const qtr_steps steps = qtr_board_steps(&policy.board, seeker, node, place);
+      TEST_ASSERT_EQUAL_MESSAGE(QTR_POLICY_NO_REGION, qtr_policy_region(&policy, cell), case_note);
+      if (node >= nodes || place >= places || seeker >= policy.board.seekers)
+        TEST_ASSERT_EQUAL_UINT32_MESSAGE(QTR_NEVER, steps, case_note);
     }
   }
 }
@@ -300,6 +304,8 @@ static void test_seeker_or_choice_that_is_none_changes_nothing(void) {
 }
 
 static void test_starts_that_are_none_are_refused(void) {
+  qtr_deployment deployment;
+  qtr_claim claim;
   for (unsigned number = 0; number < 120; number++) {
     test_random random;
     open_random("starts", number, &random);
@@ -313,9 +319,12 @@ static void test_starts_that_are_none_are_refused(void) {
           known = known || qtr_policy_cell(&policy, policy.board.places + s) == starts[i];
         all = all && known;
       }
-      TEST_ASSERT_EQUAL_INT_MESSAGE(all ? QTR_OK : QTR_ERR_START, qtr_policy_deploy(&policy, starts), case_note);
+      TEST_ASSERT_EQUAL_INT_MESSAGE(all ? QTR_OK : QTR_ERR_START,
+                                    qtr_deployment_init(&deployment, &policy, starts, NULL), case_note);
     }
     TEST_ASSERT_NOT_EQUAL(0, qtr_policy_digest(&policy));
+    qtr_claim_read(&claim, &policy);
+    TEST_ASSERT_EQUAL_UINT8(QTR_VERSION_MINOR, claim.version[1]);
   }
 }
 
@@ -425,8 +434,8 @@ static void expect_all_called(const char *header, const char *calls) {
 }
 
 static void test_every_public_function_of_the_robot_side_is_called_here(void) {
-  static const char *const headers[] = {"places.h", "grid.h",   "travel.h", "key.h",   "board.h",
-                                        "joint.h",  "policy.h", "seeker.h", "status.h"};
+  static const char *const headers[] = {"places.h", "grid.h",  "travel.h",     "key.h",     "board.h",  "joint.h",
+                                        "policy.h", "claim.h", "deployment.h", "nominal.h", "seeker.h", "status.h"};
   static char calls[100000];
   snprintf(calls, sizeof calls, "%s", read_text(QUARTER_SOURCE_DIR "/tests/test_ranges.c"));
   for (unsigned i = 0; i < sizeof headers / sizeof headers[0]; i++) expect_all_called(headers[i], calls);

@@ -44,11 +44,14 @@ static void take_announcements(unsigned self) {
 }
 
 static void start_robots(const qtr_places *cleared) {
+  qtr_deployment deployment;
   memset(diaries, 0, sizeof diaries);
   for (unsigned self = 0; self == 0 || self < robots(); self++) {
     table_open(&policy[self]);
     memset(&seeker[self], 0xA5, sizeof seeker[self]);
-    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_seeker_init(&seeker[self], &policy[self], self, cleared), case_note);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_deployment_init(&deployment, &policy[self], NULL, cleared));
+    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_seeker_init(&seeker[self], &policy[self], self, &deployment), case_note);
+    memset(&deployment, 0xA5, sizeof deployment); /* a seeker has a copy */
     take_announcements(self);
   }
 }

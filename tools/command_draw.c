@@ -11,6 +11,7 @@
 #include "host/base/memory.h"
 #include "host/base/outfile.h"
 #include "host/plan/problem.h"
+#include "host/table/certificate.h"
 #include "host/table/table.h"
 #include "prepare.h"
 #include "print.h"
@@ -162,7 +163,7 @@ static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {
 }
 
 static void add_certificate(sheet *s, const table *t) {
-  const table_certificate c = table_certificate_of(t);
+  const table_certificate c = table_certificate_of(&t->policy);
   if (c.certified && c.gap < 1e-9)
     add_line(s, "certified\toptimal");
   else

@@ -6,6 +6,7 @@
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/input/words.h"
+#include "host/table/certificate.h"
 #include "host/table/table.h"
 #include "print.h"
 #include "products.h"
@@ -84,7 +85,7 @@ typedef struct {
 static void write_json(FILE *out, const void *what) {
   const inspection *i = what;
   const table *t = &i->t;
-  const table_certificate c = table_certificate_of(t);
+  const table_certificate c = table_certificate_of(&t->policy);
   char version[40];
   json j;
   snprintf(version, sizeof version, "%u.%u.%u", c.version[0], c.version[1], c.version[2]);
@@ -109,7 +110,7 @@ static void write_json(FILE *out, const void *what) {
   json_string(&j, "rule", words_rule[t->policy.board.rule]);
   json_number(&j, "value", c.value);
   json_number(&j, "expected_time", c.expected_time);
-  json_number(&j, "objective_value", c.by_time ? c.expected_time : c.value);
+  json_number(&j, "objective_value", c.figure);
   json_number(&j, "objective_bound", c.bound);
   json_number(&j, "gap", c.gap);
   json_bool(&j, "certified", c.certified);
@@ -125,7 +126,7 @@ static void write_json(FILE *out, const void *what) {
 static void write_text(FILE *out, const void *what) {
   const inspection *i = what;
   const table *t = &i->t;
-  const table_certificate c = table_certificate_of(t);
+  const table_certificate c = table_certificate_of(&t->policy);
   fprintf(out, "%s: a sound policy table, %s, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", i->o->input,
           counted(t->bytes.size, "byte").text, c.version[0], c.version[1], c.version[2], c.seed);
   fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->policy.grid.columns, t->policy.grid.rows,

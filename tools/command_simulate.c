@@ -44,6 +44,7 @@ static const option_set set = {"simulate", intro, outro, option_records, lines};
 typedef struct {
   simulation s;
   table t;
+  qtr_deployment deployment;
   const options *o;
 } account;
 
@@ -125,11 +126,9 @@ static void write_text(FILE *out, const void *what) {
     fprintf(out, "discounted value %.6g, expected time %s\n", s->value, measured(s->expected_time, "step").text);
 }
 
-/* Put the seekers where the options say. */
-static int deploy(table *t, const options *o, fault *why) {
+/* The cells that the options put the seekers on. */
+static int find_starts(qtr_cell *starts, const table *t, const options *o, fault *why) {
   const unsigned columns = t->policy.grid.columns;
-  qtr_cell starts[QTR_MAX_SEEKERS];
-  if (o->game.froms == 0) return 0;
   if (o->game.froms != t->policy.board.seekers)
     return fault_set(why, "--from: given %s, but the table has %s; give each its start",
                      counted((uint64_t)o->game.froms, "time").text, counted(t->policy.board.seekers, "seeker").text);
@@ -139,15 +138,23 @@ static int deploy(table *t, const options *o, fault *why) {
                        o->game.from[i].row, counted(columns, "column").text, counted(t->policy.grid.rows, "row").text);
     starts[i] = (qtr_cell)(o->game.from[i].row * (int)columns + o->game.from[i].column);
   }
-  if (qtr_policy_deploy(&t->policy, starts) == QTR_OK) return 0;
+  return 0;
+}
+
+static int deploy(account *a, fault *why) {
+  const options *o = a->o;
+  const bool elsewhere = o->game.froms > 0;
+  qtr_cell starts[QTR_MAX_SEEKERS];
+  if (elsewhere && find_starts(starts, &a->t, o, why) != 0) return -1;
+  if (qtr_deployment_init(&a->deployment, &a->t.policy, elsewhere ? starts : NULL, &o->game.clear) == QTR_OK) return 0;
   return fault_set(why, "--from: an obstacle, or not a start of %s; name free cells, of a table made with --starts any",
                    o->input);
 }
 
 /* The table is open. */
 static int simulate(account *a, fault *why) {
-  if (products_check(a->o, why) != 0 || deploy(&a->t, a->o, why) != 0) return -1;
-  if (simulation_run(&a->s, &a->t, &a->o->game, why) != 0) return -1;
+  if (products_check(a->o, why) != 0 || deploy(a, why) != 0) return -1;
+  if (simulation_run(&a->s, &a->t, &a->deployment, &a->o->game, why) != 0) return -1;
   return print_report(a->o, write_json, write_text, a, why);
 }
 

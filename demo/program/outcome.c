@@ -2,6 +2,7 @@
 
 #include "host/base/count.h"
 #include "host/base/outfile.h"
+#include "host/table/certificate.h"
 #include "record.h"
 
 static void write_outcome(FILE *out, const plan *p, const game_result *result, const settings *s) {
@@ -20,7 +21,7 @@ static void write_outcome(FILE *out, const plan *p, const game_result *result, c
 
 static void tell_outcome(FILE *out, const plan *p, const game_result *r, const settings *s) {
   const double planned = r->mine >= 0 && p->step[r->mine] != QTR_NEVER ? p->step[r->mine] * game_step_seconds() : -1.0;
-  const table_certificate c = table_certificate_of(&p->t);
+  const table_certificate c = table_certificate_of(&p->t.policy);
   fprintf(out, "%s: %s, %s; the plan is ", p->name, counted(p->t.policy.board.seekers, "robot").text,
           counted(p->t.policy.board.places, "place").text);
   fprintf(out,

@@ -3,10 +3,13 @@
 #define QUARTER_ROBOT_H
 
 #include "quarter/board.h"
+#include "quarter/claim.h"
 #include "quarter/config.h"
+#include "quarter/deployment.h"
 #include "quarter/grid.h"
 #include "quarter/joint.h"
 #include "quarter/key.h"
+#include "quarter/nominal.h"
 #include "quarter/places.h"
 #include "quarter/policy.h"
 #include "quarter/seeker.h"

@@ -1,7 +1,7 @@
 /* The executor: what one robot does, from the table and its own sensors alone.
  *
- * Every robot plays the whole joint game forward in nominal time from what all know: the table, the starts, the places
- * cleared beforehand. Its own choices in that game are its route, so nothing that it does depends on another's real
+ * Every robot plays the whole joint game forward in nominal time from what all know: the table and the
+ * deployment (starts, places cleared beforehand). Its own choices in that game are its route, so nothing that it does depends on another's real
  * progress. When its territory is finished and no termination was heard, it goes on with its neighbour's (seeker i + 1,
  * then i + 2, ... mod k), in that one's order: any survivor thus scans every place that it can reach.
  *
@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "quarter/config.h"
+#include "quarter/deployment.h"
 #include "quarter/joint.h"
 #include "quarter/places.h"
 #include "quarter/policy.h"
@@ -31,7 +32,7 @@ typedef struct {
 
 typedef struct {
   const qtr_policy *policy;
-  qtr_places cleared;      /* known to all before the start */
+  qtr_deployment deployment;
   qtr_places visited;      /* where this robot has been itself */
   qtr_joint joint;         /* the nominal game, as far as the territory's seeker has chosen */
   qtr_seeker_set done;     /* territories known to be finished */
@@ -44,12 +45,12 @@ typedef struct {
   bool missed;       /* a place of this territory is out of this robot's reach */
 } qtr_seeker;
 
-/* Robot `self` (0..seekers-1) at its start, the places in `cleared` (NULL for none) already scanned, the same set on
- * every robot. The open policy must outlive the seeker. QTR_OK; with nothing written QTR_ERR_ARGUMENT for a robot that is
+/* Robot `self` (0..seekers-1) at its start. `deployment` (copied) is the same on every robot; NULL: the mission's own
+ * starts, nothing cleared. The open policy must outlive the seeker. QTR_OK; with nothing written QTR_ERR_ARGUMENT for a robot that is
  * none, QTR_ERR_CONFIG if the caller was built under other sizes. */
-#define qtr_seeker_init(seeker, policy, self, cleared)                                                                 \
-  qtr_seeker_init_built(seeker, policy, self, cleared, QTR_CONFIG_ID)
-int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_places *cleared,
+#define qtr_seeker_init(seeker, policy, self, deployment)                                                              \
+  qtr_seeker_init_built(seeker, policy, self, deployment, QTR_CONFIG_ID)
+int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_deployment *deployment,
                           uint32_t config_id);
 
 /* The place to go to now; QTR_STAND_DOWN: stay, there is nothing left to do. */

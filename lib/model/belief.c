@@ -7,6 +7,7 @@
 
 #include "core/bytes.h"
 #include "core/crc.h"
+#include "model/doubles.h"
 #include "quarter/status.h"
 
 static const uint8_t magic[4] = {'Q', 'T', 'R', 'B'};
@@ -112,19 +113,6 @@ int qtr_belief_not_found(qtr_belief *belief, const qtr_search *search) {
 }
 
 /* ---- as bytes ---- */
-
-static void store_double(uint8_t *bytes, double value) {
-  uint64_t bits;
-  memcpy(&bits, &value, sizeof bits);
-  store64_le(bytes, bits);
-}
-
-static double load_double(const uint8_t *bytes) {
-  const uint64_t bits = load64_le(bytes);
-  double value;
-  memcpy(&value, &bits, sizeof value);
-  return value;
-}
 
 int qtr_belief_save(const qtr_belief *belief, void *bytes, uint32_t room) {
   const uint32_t size = QTR_BELIEF_BYTES((uint32_t)belief->places);

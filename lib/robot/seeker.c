@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "quarter/nominal.h"
 #include "quarter/status.h"
 
 static bool set_has(const qtr_seeker_set *set, unsigned seeker) {
@@ -16,7 +17,7 @@ static void set_add(qtr_seeker_set *set, unsigned seeker) {
 /* Begin the current territory: its seeker's route is played from the start of the game. */
 static void enter_territory(qtr_seeker *seeker) {
   seeker->missed = false;
-  qtr_joint_start(&seeker->joint, &seeker->policy->board, NULL, &seeker->cleared);
+  qtr_joint_start(&seeker->joint, &seeker->policy->board, seeker->deployment.start_of, &seeker->deployment.cleared);
 }
 
 /* Leave the current territory for the next one that nobody is known to have finished. */
@@ -33,8 +34,8 @@ static bool next_territory(qtr_seeker *seeker) {
 
 static bool in_reach(const qtr_seeker *seeker, uint16_t place) {
   const qtr_board *board = &seeker->policy->board;
-  return qtr_board_steps(board, seeker->self, (unsigned)board->places + board->start_of[seeker->self], place) !=
-         QTR_NEVER;
+  const unsigned start = (unsigned)board->places + seeker->deployment.start_of[seeker->self];
+  return qtr_board_steps(board, seeker->self, start, place) != QTR_NEVER;
 }
 
 /* The territory's route is at its end. If this robot could not reach all of it, it is not done. */
@@ -58,7 +59,7 @@ static void next_target(qtr_seeker *seeker) {
   }
 }
 
-int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_places *cleared,
+int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_deployment *deployment,
                           uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   if (self >= policy->board.seekers) return QTR_ERR_ARGUMENT;
@@ -66,7 +67,10 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
   seeker->policy = policy;
   seeker->self = (uint8_t)self;
   seeker->territory = (uint8_t)self;
-  if (cleared != NULL) seeker->cleared = *cleared;
+  /* At home by hand: qtr_deployment_init() would bring its search for starts into the flash of robots that have no use for
+   * it. */
+  memcpy(seeker->deployment.start_of, policy->board.start_of, sizeof seeker->deployment.start_of);
+  if (deployment != NULL) seeker->deployment = *deployment;
   enter_territory(seeker);
   next_target(seeker);
   return QTR_OK;

@@ -5,8 +5,11 @@
 
 #include "core/bytes.h"
 #include "core/crc.h"
+#include "model/doubles.h"
+#include "quarter/nominal.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
+#include "robot/layout.h"
 
 static uint8_t encoding_of(const qtr_mission *mission) {
   const uint32_t cells = (uint32_t)mission->columns * mission->rows;
@@ -19,21 +22,28 @@ static uint32_t cells_of(const qtr_table_content *content) {
   return (uint32_t)content->mission->columns * content->mission->rows;
 }
 
-static uint32_t seat_bytes(const qtr_board *board) {
-  return (board->seekers + 1u) / 2u * 4u;
+static table_layout layout_of(const qtr_table_content *content) {
+  const qtr_board *board = content->board;
+  const table_dimensions dimensions = {.cells = cells_of(content),
+                                       .records = content->record_count,
+                                       .places = board->places,
+                                       .starts = board->starts,
+                                       .seekers = board->seekers,
+                                       .key_words = board->keys.words,
+                                       .grid_encoding = encoding_of(content->mission),
+                                       .any_start = content->region != NULL};
+  table_layout layout;
+  qtr_layout_find(&layout, &dimensions);
+  return layout;
 }
 
 uint32_t qtr_record_bytes(const qtr_board *board) {
-  return 4u * board->keys.words + 4u;
+  return record_size(board->keys.words);
 }
 
 uint32_t qtr_table_size(const qtr_table_content *content) {
-  const qtr_board *board = content->board;
-  const uint32_t nodes = (uint32_t)board->places + board->starts;
-  const uint32_t regions = content->region != NULL ? 2u * cells_of(content) : 0;
-  return QTR_POLICY_HEADER_BYTES + seat_bytes(board) + 4u * nodes + 4u * board->places + 4u * nodes * board->places +
-         content->record_count * qtr_record_bytes(board) +
-         qtr_grid_size(cells_of(content), encoding_of(content->mission)) + regions;
+  const table_layout layout = layout_of(content);
+  return layout.end <= UINT32_MAX ? (uint32_t)layout.end : UINT32_MAX;
 }
 
 /* ---- records ---- */
@@ -42,31 +52,20 @@ void qtr_record_write(uint8_t *record, const qtr_joint *joint, const qtr_board *
   qtr_key key;
   qtr_joint_key(&key, joint, board);
   for (unsigned w = 0; w < board->keys.words; w++) store32_le(record + 4 * w, key.word[w]);
-  store16_le(record + 4 * board->keys.words, choice);
-  store16_le(record + 4 * board->keys.words + 2, 0);
+  store16_le(record + record_choice_at(board->keys.words), choice);
+  store16_le(record + record_spare_at(board->keys.words), 0);
 }
 
 int qtr_record_compare(const uint8_t *a, const uint8_t *b, const qtr_board *board) {
-  for (unsigned w = board->keys.words; w-- > 0;) {
-    const uint32_t x = load32_le(a + 4 * w);
-    const uint32_t y = load32_le(b + 4 * w);
-    if (x != y) return x < y ? -1 : 1;
-  }
-  return 0;
+  return record_compare(a, b, board->keys.words);
 }
 
 /* ---- header ---- */
 
-static void store_double(uint8_t *bytes, double value) {
-  uint64_t bits;
-  memcpy(&bits, &value, sizeof bits);
-  store64_le(bytes, bits);
-}
-
 static void write_dimensions(uint8_t *bytes, const qtr_table_content *content, uint32_t size) {
   const qtr_board *board = content->board;
   const qtr_mission *mission = content->mission;
-  memcpy(bytes + QTR_POLICY_MAGIC, "QTRP", 4);
+  memcpy(bytes + QTR_POLICY_MAGIC, QTR_POLICY_MAGIC_BYTES, QTR_POLICY_VERSION);
   store16_le(bytes + QTR_POLICY_VERSION, QTR_POLICY_FORMAT);
   store16_le(bytes + QTR_POLICY_HEADER, QTR_POLICY_HEADER_BYTES);
   store32_le(bytes + QTR_POLICY_SIZE, size);
@@ -99,7 +98,17 @@ static void write_certificate(uint8_t *bytes, const qtr_table_content *content) 
   store_double(bytes + QTR_POLICY_GAP, certificate->gap);
 }
 
-/* ---- sections: each returns where the next one begins ---- */
+/* ---- sections ---- */
+
+static void write_seats(uint8_t *at, const qtr_board *board) {
+  for (unsigned i = 0; i < board->seekers; i++) store16_le(at + 2 * i, board->start_of[i]);
+}
+
+static void write_cells(uint8_t *at, const qtr_table_content *content) {
+  const qtr_board *board = content->board;
+  for (unsigned place = 0; place < board->places; place++, at += 4) store32_le(at, content->mission->place[place]);
+  for (unsigned start = 0; start < board->starts; start++, at += 4) store32_le(at, content->start[start]);
+}
 
 static uint32_t fixed_point(double probability) {
   const double scaled = probability * 4294967296.0 + 0.5;
@@ -107,23 +116,12 @@ static uint32_t fixed_point(double probability) {
   return scaled < 4294967295.0 ? (uint32_t)scaled : UINT32_MAX;
 }
 
-static uint8_t *write_nodes(uint8_t *at, const qtr_table_content *content) {
-  const qtr_board *board = content->board;
-  for (unsigned i = 0; i < board->seekers; i++) store16_le(at + 2 * i, board->start_of[i]);
-  at += seat_bytes(board);
-  for (unsigned place = 0; place < board->places; place++, at += 4) store32_le(at, content->mission->place[place]);
-  for (unsigned start = 0; start < board->starts; start++, at += 4) store32_le(at, content->start[start]);
-  for (unsigned place = 0; place < board->places; place++, at += 4)
-    store32_le(at, fixed_point(content->probability[place]));
-  return at;
+static void write_weights(uint8_t *at, const qtr_table_content *content) {
+  for (unsigned place = 0; place < content->board->places; place++)
+    store32_le(at + 4 * place, fixed_point(content->probability[place]));
 }
 
-static uint8_t *write_copy(uint8_t *at, const uint8_t *bytes, uint32_t size) {
-  if (size > 0) memcpy(at, bytes, size);
-  return at + size;
-}
-
-static uint8_t *write_grid(uint8_t *at, const qtr_mission *mission) {
+static void write_grid(uint8_t *at, const qtr_mission *mission) {
   const uint32_t cells = (uint32_t)mission->columns * mission->rows;
   const uint8_t encoding = encoding_of(mission);
   for (uint32_t cell = 0; cell < cells; cell++) {
@@ -132,12 +130,23 @@ static uint8_t *write_grid(uint8_t *at, const qtr_mission *mission) {
     else if (mission->cost[cell] > 0)
       at[cell / 8] = (uint8_t)(at[cell / 8] | 1u << cell % 8);
   }
-  return at + qtr_grid_size(cells, encoding);
 }
 
 static void write_regions(uint8_t *at, const qtr_table_content *content) {
   for (uint32_t cell = 0; content->region != NULL && cell < cells_of(content); cell++)
     store16_le(at + 2 * cell, content->region[cell]);
+}
+
+static void write_sections(uint8_t *bytes, const table_layout *layout, const qtr_table_content *content) {
+  const qtr_board *board = content->board;
+  const uint32_t records = content->record_count * record_size(board->keys.words);
+  write_seats(bytes + layout->at[SECTION_SEATS], board);
+  write_cells(bytes + layout->at[SECTION_CELLS], content);
+  write_weights(bytes + layout->at[SECTION_WEIGHTS], content);
+  memcpy(bytes + layout->at[SECTION_TRAVEL], board->steps, 4u * qtr_board_nodes(board) * board->places);
+  if (records > 0) memcpy(bytes + layout->at[SECTION_RECORDS], content->records, records);
+  write_grid(bytes + layout->at[SECTION_GRID], content->mission);
+  write_regions(bytes + layout->at[SECTION_REGIONS], content);
 }
 
 /* ---- the whole ---- */
@@ -147,17 +156,14 @@ static void seal(uint8_t *bytes, uint32_t size) {
 }
 
 int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32_t size) {
-  const qtr_board *board = content->board;
-  const uint32_t needed = qtr_table_size(content);
+  const table_layout layout = layout_of(content);
   qtr_policy policy;
-  if (size < needed || needed > INT32_MAX) return QTR_ERR_SPACE;
+  if (layout.end > size || layout.end > INT32_MAX) return QTR_ERR_SPACE;
+  const uint32_t needed = (uint32_t)layout.end;
   memset(bytes, 0, needed);
   write_dimensions(bytes, content, needed);
   write_certificate(bytes, content);
-  uint8_t *at = write_nodes(bytes + QTR_POLICY_HEADER_BYTES, content);
-  at = write_copy(at, board->steps, 4u * ((uint32_t)board->places + board->starts) * board->places);
-  at = write_copy(at, content->records, content->record_count * qtr_record_bytes(board));
-  write_regions(write_grid(at, content->mission), content);
+  write_sections(bytes, &layout, content);
   seal(bytes, needed);
   /* The robot's own code says what the digest is: opening stops at it, and then must not. */
   int status = qtr_policy_open(&policy, bytes, needed);

@@ -7,9 +7,11 @@
 #include "missions.h"
 #include "quarter/export.h"
 #include "quarter/learner.h"
+#include "quarter/nominal.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
 #include "random.h"
+#include "robot/layout.h"
 #include "unity.h"
 
 enum { TABLE_MOST = 64 * 1024 };
@@ -59,6 +61,36 @@ static inline void table_draw(const char *rows, uint8_t seekers) {
   if (seekers > 0) mission_crew(&table_mission, seekers);
   table_learn(1000);
   table_export();
+}
+
+/* A table for any start. Cells 0 to 3 go by cell 1, cells 5 and 6 by cell 6; the mission's own start is cell 3. */
+static inline void table_draw_regions(void) {
+  static const qtr_cell start[3] = {1, 6, 3};
+  static const uint16_t region[7] = {0, 0, 0, 0, 0xFFFF, 1, 1};
+  static uint8_t steps[4 * 5 * 2];
+  qtr_certificate certificate;
+  table_draw("1..S#.2/.......", 1);
+  qtr_learner_certificate(&table_learner, &certificate);
+  const qtr_grid grid = qtr_mission_grid(&table_mission);
+  qtr_board board = table_game.board;
+  board.starts = 3;
+  board.start_of[0] = 2;
+  board.steps = steps;
+  for (unsigned place = 0; place < 2; place++) {
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_field_fill(&table_field, &grid, table_mission.place[place]));
+    for (unsigned node = 0; node < 5; node++) {
+      const qtr_cell cell = node < 2 ? table_mission.place[node] : start[node - 2];
+      store32_le(steps + 4 * (node * 2 + place), table_field.to_go[cell]);
+    }
+  }
+  uint16_t of[14];
+  for (unsigned cell = 0; cell < 14; cell++) of[cell] = cell < 7 ? region[cell] : region[cell - 7 == 4 ? 5 : cell - 7];
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
+  const qtr_table_content content = {&table_mission, &board, table_game.probability, start, of,
+                                     NULL,           0,      &certificate,           1};
+  const int32_t written = qtr_table_write(&content, table_bytes, sizeof table_bytes);
+  TEST_ASSERT_GREATER_THAN(0, written);
+  table_size = (uint32_t)written;
 }
 
 /* Make the checksum right again. */

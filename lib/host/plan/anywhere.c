@@ -9,7 +9,8 @@
 #include "host/base/memory.h"
 #include "host/base/stop.h"
 #include "host/plan/progress.h"
-#include "host/table/table.h"
+#include "quarter/deployment.h"
+#include "quarter/nominal.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
 
@@ -316,18 +317,19 @@ static uint32_t draw(uint32_t below) {
 }
 
 /* What the table's routes earn when the seekers set out from these very cells. */
-static double earn_on_ground(const builder *b, const table *t, const qtr_game *game) {
-  static table_route routes[QTR_MAX_SEEKERS];
+static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *deployment, const qtr_game *game) {
   qtr_steps visit[QTR_MAX_PLACES];
   qtr_score score;
-  table_routes(t, routes);
-  for (unsigned place = 0; place < b->board.places; place++) visit[place] = QTR_NEVER;
-  for (unsigned i = 0; i < b->board.seekers; i++) {
-    unsigned node = (unsigned)b->board.places + game->board.start_of[i];
+  for (unsigned place = 0; place < policy->board.places; place++) visit[place] = QTR_NEVER;
+  for (int i = 0; i < policy->board.seekers; i++) {
+    unsigned node = (unsigned)policy->board.places + game->board.start_of[i];
     qtr_steps now = 0;
-    for (int j = 0; j < routes[i].places; j++) {
-      now += qtr_board_steps(&game->board, i, node, routes[i].place[j]);
-      node = routes[i].place[j];
+    qtr_joint joint;
+    uint16_t place;
+    qtr_joint_start(&joint, &policy->board, deployment->start_of, NULL);
+    while ((place = qtr_policy_play(policy, &joint, i, NULL, NULL)) != QTR_STAND_DOWN) {
+      now += qtr_board_steps(&game->board, (unsigned)i, node, place);
+      node = place;
       visit[node] = now;
     }
   }
@@ -347,8 +349,9 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
   const uint32_t cells = (uint32_t)mission->columns * mission->rows;
   double losses[ANYWHERE_TRIALS];
   uint16_t number[QTR_MAX_PLACES];
-  table t;
-  if (qtr_policy_open(&t.policy, bytes, size) != QTR_OK) return;
+  qtr_policy policy;
+  qtr_deployment deployment;
+  if (qtr_policy_open(&policy, bytes, size) != QTR_OK) return;
   draws = b->config->learner.seed;
   for (int tries = 0; !stop_asked() && report->trials < ANYWHERE_TRIALS && tries < 100 * ANYWHERE_TRIALS; tries++) {
     qtr_cell starts[QTR_MAX_SEEKERS];
@@ -356,8 +359,8 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
         starts[i] = (qtr_cell)draw(cells);
       while (mission->cost[starts[i]] == 0);
     make_rest(b, starts, 0, number);
-    if (qtr_policy_deploy(&t.policy, starts) != QTR_OK || !learn_rest(b, why)) continue;
-    const double worth = earn_on_ground(b, &t, &alone->p.game);
+    if (qtr_deployment_init(&deployment, &policy, starts, NULL) != QTR_OK || !learn_rest(b, why)) continue;
+    const double worth = earn_on_ground(&policy, &deployment, &alone->p.game);
     const double best = alone->learner.best.score.worth;
     losses[report->trials++] = (best - worth) / fabs(best);
   }

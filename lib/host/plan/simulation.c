@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "quarter/mission.h"
+#include "host/table/certificate.h"
+#include "quarter/objective.h"
 
 /* One robot and its body: what the executor does not know of. */
 typedef struct {
@@ -75,7 +76,8 @@ static void free_world(world *w) {
   free(w->robots);
 }
 
-static int make_world(world *w, const table *t, const simulation_config *config, fault *why) {
+static int make_world(world *w, const table *t, const qtr_deployment *deployment, const simulation_config *config,
+                      fault *why) {
   const qtr_board *board = &t->policy.board;
   *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, config, QTR_NOBODY, config->clear};
   for (int i = 0; w->robots != NULL && i < w->count; i++) {
@@ -86,7 +88,7 @@ static int make_world(world *w, const table *t, const simulation_config *config,
                                 : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
     r->factor = 1.0;
     r->lost = QTR_NEVER;
-    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, &config->clear);
+    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, deployment);
   }
   bool whole = w->robots != NULL;
   for (int i = 0; whole && i < w->count; i++) whole = w->robots[i].field != NULL;
@@ -196,14 +198,14 @@ static int left_over(const world *w) {
 }
 
 static void add_up(simulation *s, const world *w) {
-  const table_certificate certificate = table_certificate_of(w->t);
+  const table_certificate c = table_certificate_of(&w->t->policy);
   s->value = 0.0;
   double visited = 0.0;
   double sum = 0.0;
   for (int i = 0; i < s->visits; i++) {
     const double probability = table_probability(w->t, s->visit[i].place);
     const qtr_steps step = s->visit[i].step;
-    s->value += QTR_REWARD_SCALE * probability * pow(certificate.gamma, step > 0 ? step - 1.0 : 0.0);
+    s->value += QTR_REWARD_SCALE * probability * pow(c.gamma, step > 0 ? step - 1.0 : 0.0);
     visited += probability;
     sum += probability * step;
   }
@@ -211,9 +213,10 @@ static void add_up(simulation *s, const world *w) {
   for (int i = 0; i < w->count; i++) s->off_table += w->robots[i].seeker.off_table;
 }
 
-int simulation_run(simulation *s, const table *t, const simulation_config *config, fault *why) {
+int simulation_run(simulation *s, const table *t, const qtr_deployment *deployment, const simulation_config *config,
+                   fault *why) {
   world w;
-  if (check_config(t, config, why) != 0 || make_world(&w, t, config, why) != 0) return -1;
+  if (check_config(t, config, why) != 0 || make_world(&w, t, deployment, config, why) != 0) return -1;
   *s = (simulation){.found_step = QTR_NEVER};
   while (step_world(s, &w, s->end)) s->end++;
   add_up(s, &w);

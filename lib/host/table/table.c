@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "host/table/table_check.h"
-#include "quarter/mission.h"
+#include "quarter/nominal.h"
 #include "quarter/status.h"
 
 #define TABLE_LIMIT ((size_t)64 << 20)
@@ -30,34 +30,6 @@ int table_read(table *t, const char *path, fault *why) {
 
 void table_free(table *t) {
   file_free(&t->bytes);
-}
-
-static uint64_t load64(const uint8_t *bytes) {
-  uint64_t value = 0;
-  for (int i = 7; i >= 0; i--) value = value << 8 | bytes[i];
-  return value;
-}
-
-static double load_double(const uint8_t *bytes) {
-  const uint64_t bits = load64(bytes);
-  double value;
-  memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
-table_certificate table_certificate_of(const table *t) {
-  const uint8_t *bytes = t->policy.bytes;
-  const uint32_t producer = (uint32_t)(load64(bytes + QTR_POLICY_PRODUCER) & 0xFFFFFFFFu);
-  const table_certificate certificate = {.by_time = bytes[QTR_POLICY_OBJECTIVE] == QTR_TIME,
-                                         .certified = bytes[QTR_POLICY_CERTIFIED] != 0,
-                                         .gamma = load_double(bytes + QTR_POLICY_GAMMA),
-                                         .value = load_double(bytes + QTR_POLICY_VALUE),
-                                         .expected_time = load_double(bytes + QTR_POLICY_TIME),
-                                         .bound = load_double(bytes + QTR_POLICY_BOUND),
-                                         .gap = load_double(bytes + QTR_POLICY_GAP),
-                                         .seed = load64(bytes + QTR_POLICY_SEED),
-                                         .version = {producer >> 16, producer >> 8 & 255u, producer & 255u}};
-  return certificate;
 }
 
 double table_probability(const table *t, unsigned place) {

@@ -14,15 +14,6 @@ typedef struct {
   qtr_policy policy; /* views into `bytes` */
 } table;
 
-/* What the learner said of the policy. */
-typedef struct {
-  bool by_time; /* the objective is the expected time */
-  bool certified;
-  double gamma, value, expected_time, bound, gap;
-  uint64_t seed;
-  unsigned version[3]; /* of the library that wrote it */
-} table_certificate;
-
 /* One seeker's part of the nominal game. */
 typedef struct {
   int places;
@@ -34,8 +25,6 @@ typedef struct {
 int table_read(table *t, const char *path, fault *why);
 
 void table_free(table *t);
-
-table_certificate table_certificate_of(const table *t);
 
 /* A place's likelihood, as exactly as the table holds it. */
 double table_probability(const table *t, unsigned place);

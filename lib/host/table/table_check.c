@@ -7,11 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host/table/certificate.h"
+#include "quarter/nominal.h"
+#include "quarter/objective.h"
 #include "quarter/travel.h"
 
 #define MEND "learn it again"
-#define REWARD_SCALE 10.0 /* w of the paper's Eq. 4.2, as the learner has it */
-#define ROUNDING 1e-7     /* relative: what two ways to add up one value may differ by */
+#define ROUNDING 1e-7 /* relative: what two ways to add up one value may differ by */
 
 static unsigned nodes_of(const qtr_policy *policy) {
   return (unsigned)policy->board.places + policy->board.starts;
@@ -49,7 +51,7 @@ static int check_regions_to(const qtr_policy *policy, const qtr_field *field, un
   const uint32_t cells = policy->regions != NULL ? qtr_grid_cells(&policy->grid) : 0;
   for (uint32_t cell = 0; cell < cells; cell++) {
     if (qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) continue;
-    const unsigned start = policy->regions[2 * cell] | (unsigned)policy->regions[2 * cell + 1] << 8;
+    const unsigned start = qtr_policy_region(policy, (qtr_cell)cell);
     const qtr_steps from_start = qtr_board_steps(&policy->board, QTR_ANY_SEEKER, policy->board.places + start, place);
     if ((from_start == QTR_NEVER) == (field->to_go[cell] == QTR_NEVER)) continue;
     return fault_set(
@@ -74,14 +76,6 @@ static int check_grid(const qtr_policy *policy, const char *path, fault *why) {
 
 /* ---- the certificate against the play ---- */
 
-static double load_double(const qtr_policy *policy, unsigned offset) {
-  uint64_t bits = 0;
-  double value;
-  for (int i = 7; i >= 0; i--) bits = bits << 8 | policy->bytes[offset + (unsigned)i];
-  memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
 /* Each place's step of first visit in the nominal game, QTR_NEVER for none. */
 static void find_visits(const qtr_policy *policy, qtr_steps *visit) {
   const qtr_board *board = &policy->board;
@@ -105,14 +99,13 @@ typedef struct {
   double value, time, value_error, time_error;
 } earnings;
 
-static earnings play(const qtr_policy *policy) {
-  const double gamma = load_double(policy, QTR_POLICY_GAMMA);
+static earnings play(const qtr_policy *policy, double gamma) {
   qtr_steps visit[QTR_MAX_PLACES];
   earnings e = {0};
   find_visits(policy, visit);
   for (unsigned place = 0; place < policy->board.places; place++) {
     const double likelihood = qtr_policy_weight(policy, place) / 4294967296.0;
-    const double worth = REWARD_SCALE * pow(gamma, visit[place] > 0 ? visit[place] - 1.0 : 0.0);
+    const double worth = QTR_REWARD_SCALE * pow(gamma, visit[place] > 0 ? visit[place] - 1.0 : 0.0);
     e.value += likelihood * worth;
     e.time += likelihood * visit[place];
     e.value_error += worth / 4294967296.0;
@@ -124,22 +117,17 @@ static earnings play(const qtr_policy *policy) {
 }
 
 static int check_certificate(const qtr_policy *policy, const char *path, fault *why) {
-  const bool by_time = policy->bytes[QTR_POLICY_OBJECTIVE] != 0;
-  const double value = load_double(policy, QTR_POLICY_VALUE);
-  const double time = load_double(policy, QTR_POLICY_TIME);
-  const double bound = load_double(policy, QTR_POLICY_BOUND);
-  const double gap = load_double(policy, QTR_POLICY_GAP);
-  const double objective = by_time ? time : value;
-  const double between = fabs(bound - objective) / objective;
-  const earnings e = play(policy);
-  if (objective >= DBL_MIN && fabs(gap - between) > ROUNDING * (1.0 + between))
+  const table_certificate c = table_certificate_of(policy);
+  const double between = fabs(c.bound - c.figure) / c.figure;
+  const earnings e = play(policy, c.gamma);
+  if (c.figure >= DBL_MIN && fabs(c.gap - between) > ROUNDING * (1.0 + between))
     return fault_set(why, "%s: its gap of %.3g is not what lies between its objective %.6g and its bound %.6g; " MEND,
-                     path, gap, objective, bound);
-  if (fabs(value - e.value) > e.value_error)
-    return fault_set(why, "%s: it says that it earns %.6g, and its routes earn %.6g; " MEND, path, value, e.value);
-  if (fabs(time - e.time) > e.time_error)
+                     path, c.gap, c.figure, c.bound);
+  if (fabs(c.value - e.value) > e.value_error)
+    return fault_set(why, "%s: it says that it earns %.6g, and its routes earn %.6g; " MEND, path, c.value, e.value);
+  if (fabs(c.expected_time - e.time) > e.time_error)
     return fault_set(why, "%s: it says that a find takes %.6g steps, and by its routes it takes %.6g; " MEND, path,
-                     time, e.time);
+                     c.expected_time, e.time);
   return 0;
 }
 

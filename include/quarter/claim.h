@@ -1,0 +1,28 @@
+/* What the learner said of a policy when it wrote its table. A robot only checks that it could be true. */
+#ifndef QUARTER_CLAIM_H
+#define QUARTER_CLAIM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "quarter/policy.h"
+
+/* The bits of an IEEE 754 double: a robot has no floating point. */
+typedef uint64_t qtr_double_bits;
+
+typedef struct {
+  uint8_t objective;             /* 0: discounted value; 1: expected time (enum qtr_objective_kind of the learner) */
+  bool certified;                /* the gap is within what was asked for */
+  uint8_t version[3];            /* of the library that wrote the table: major, minor, patch */
+  uint64_t seed;                 /* of the learner's random choices */
+  qtr_double_bits gamma;         /* discount a step */
+  qtr_double_bits value;         /* discounted */
+  qtr_double_bits expected_time; /* steps */
+  qtr_double_bits bound;         /* of what the objective asks for: no policy does better */
+  qtr_double_bits gap;           /* between the two, relative */
+} qtr_claim;
+
+/* The policy is open. */
+void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy);
+
+#endif

@@ -1,0 +1,24 @@
+/* From where the robots set out, and what is scanned before they do, where that is not what the mission says. Every robot
+ * must be told the same, or they divide the ground differently. */
+#ifndef QUARTER_DEPLOYMENT_H
+#define QUARTER_DEPLOYMENT_H
+
+#include "quarter/config.h"
+#include "quarter/places.h"
+#include "quarter/policy.h"
+
+typedef struct {
+  uint16_t start_of[QTR_MAX_SEEKERS]; /* start of the policy's board that each seeker plays from */
+  qtr_places cleared;                 /* known to all before the start */
+} qtr_deployment;
+
+/* Seeker i at cell `starts[i]` (NULL: where the mission says), the places in `cleared` (NULL for none) already scanned. On a
+ * table for any start the cells may be any free ones, and stand for their regions; on others they must be start cells of
+ * the table. QTR_OK; with nothing written QTR_ERR_START for a cell that is none of them, QTR_ERR_CONFIG if the caller was
+ * built under other sizes. */
+#define qtr_deployment_init(deployment, policy, starts, cleared)                                                       \
+  qtr_deployment_init_built(deployment, policy, starts, cleared, QTR_CONFIG_ID)
+int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *policy, const qtr_cell *starts,
+                              const qtr_places *cleared, uint32_t config_id);
+
+#endif

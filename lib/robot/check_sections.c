@@ -1,0 +1,78 @@
+#include <stddef.h>
+
+#include "quarter/status.h"
+#include "robot/checks.h"
+#include "robot/layout.h"
+
+/* A map without metres lies nowhere; one with metres has a middle of its first cell. */
+static int check_place_in_world(const qtr_policy *policy) {
+  const qtr_frame *frame = &policy->frame;
+  int64_t x_um;
+  int64_t y_um;
+  const bool is_known = frame->cell_size_um > 0 ? qtr_frame_centre(frame, &policy->grid, 0, &x_um, &y_um)
+                                                : frame->origin_x_um == 0 && frame->origin_y_um == 0;
+  return is_known ? QTR_OK : QTR_ERR_CORRUPT;
+}
+
+/* Bytes that mean nothing are 0: what fills up the seats before the cells, and the bits behind the last cell. */
+static int check_padding(const qtr_policy *policy) {
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
+  if (policy->board.seekers % 2 == 1 && load16_le(policy->cells - 2) != 0) return QTR_ERR_CORRUPT;
+  if (policy->grid.encoding != QTR_GRID_BITS || cells % 8 == 0) return QTR_OK;
+  return policy->grid.cells[cells / 8] >> (cells % 8) == 0 ? QTR_OK : QTR_ERR_CORRUPT;
+}
+
+static int check_nodes(const qtr_policy *policy) {
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
+  for (uint32_t node = 0; node < qtr_board_nodes(&policy->board); node++) {
+    const uint32_t cell = load32_le(policy->cells + 4 * node);
+    if (cell >= cells || qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) return QTR_ERR_CORRUPT;
+  }
+  return QTR_OK;
+}
+
+/* Likelihoods of sum 1, each rounded, and none below 1. */
+static int check_weights(const qtr_policy *policy) {
+  const uint64_t one = (uint64_t)1 << 32;
+  const unsigned places = policy->board.places;
+  uint64_t sum = 0;
+  for (unsigned place = 0; place < places; place++) {
+    if (qtr_policy_weight(policy, place) == 0) return QTR_ERR_CORRUPT;
+    sum += qtr_policy_weight(policy, place);
+  }
+  return sum + places >= one && sum <= one + places ? QTR_OK : QTR_ERR_CORRUPT;
+}
+
+/* Every free cell belongs to a region, whose start lies in it; blocked cells belong to none. */
+static int check_regions(const qtr_policy *policy) {
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
+  for (uint32_t cell = 0; policy->regions != NULL && cell < cells; cell++) {
+    const bool is_free = qtr_grid_cost(&policy->grid, (qtr_cell)cell) > 0;
+    const unsigned region = qtr_policy_region(policy, (qtr_cell)cell);
+    if ((region == QTR_POLICY_NO_REGION) == is_free) return QTR_ERR_CORRUPT;
+    const qtr_cell start = qtr_policy_cell(policy, policy->board.places + region);
+    if (is_free && qtr_policy_region(policy, start) != region) return QTR_ERR_CORRUPT;
+  }
+  return QTR_OK;
+}
+
+/* Sorted by key, each key once. */
+static int check_records(const qtr_policy *policy) {
+  const unsigned words = policy->board.keys.words;
+  const uint8_t *record = policy->record;
+  for (uint32_t r = 0; r < policy->records; r++, record += record_size(words)) {
+    if (r > 0 && record_compare(record, record - record_size(words), words) <= 0) return QTR_ERR_CORRUPT;
+    const uint32_t choice = load16_le(record + record_choice_at(words));
+    if (load16_le(record + record_spare_at(words)) != 0) return QTR_ERR_CORRUPT;
+    if (choice >= policy->board.places && choice != QTR_STAND_DOWN) return QTR_ERR_CORRUPT;
+  }
+  return QTR_OK;
+}
+
+int qtr_check_sections(const qtr_policy *policy) {
+  static int (*const checks[])(const qtr_policy *) = {check_place_in_world, check_padding, check_nodes,
+                                                      check_weights,        check_regions, check_records};
+  int status = QTR_OK;
+  for (unsigned i = 0; i < sizeof checks / sizeof checks[0] && status == QTR_OK; i++) status = checks[i](policy);
+  return status;
+}

@@ -1,0 +1,17 @@
+/* What a policy that is being opened is checked for, once its sections are found: QTR_OK, or the error of qtr_policy_open()
+ * that is named. */
+#ifndef QUARTER_CHECKS_H
+#define QUARTER_CHECKS_H
+
+#include "quarter/policy.h"
+
+/* Every number lies in its range, and bytes that mean nothing are 0: QTR_ERR_CORRUPT. */
+int qtr_check_sections(const qtr_policy *policy);
+
+/* What the travel times say of one another, and of reach: QTR_ERR_TRAVEL. */
+int qtr_check_travel(const qtr_policy *policy);
+
+/* Value, bound and gap could be those of some policy: QTR_ERR_CERTIFICATE. */
+int qtr_check_certificate(const qtr_policy *policy);
+
+#endif
