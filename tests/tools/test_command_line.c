@@ -36,7 +36,15 @@ static void expect_one_line(int status, const char *word, const char *note) {
 
 /* ---- memory ---- */
 
+/* Of address space a sanitizer takes terabytes for its own use. */
+static void need_no_sanitizer(void) {
+#ifdef __SANITIZE_ADDRESS__
+  TEST_IGNORE_MESSAGE("a sanitizer takes more address space than any limit");
+#endif
+}
+
 static void test_what_needs_no_memory_runs_in_50_megabytes(void) {
+  need_no_sanitizer();
   static const char *const lines[] = {"--version",     "--help",        "learn --help", "tune --help",
                                       "draw --help",   "belief --help", "exact --help", "exact area.txt",
                                       "inspect t.qtr", "simulate t.qtr"};
@@ -50,6 +58,7 @@ static void test_what_needs_no_memory_runs_in_50_megabytes(void) {
 }
 
 static void test_memory_that_is_not_to_be_had_is_said(void) {
+  need_no_sanitizer();
   static const char *const lines[] = {"learn area.txt -o t.qtr", "tune area.txt"};
   for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
     char line[200];
