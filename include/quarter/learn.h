@@ -14,6 +14,7 @@
 #include "quarter/objective.h"
 #include "quarter/play.h"
 #include "quarter/qtable.h"
+#include "quarter/random.h"
 #include "quarter/refine.h"
 #include "quarter/regions.h"
 #include "quarter/robot.h"

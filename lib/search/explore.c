@@ -1,5 +1,6 @@
 #include "quarter/explore.h"
 
+#include "quarter/random.h"
 #include "quarter/status.h"
 
 void qtr_exploration_default(qtr_exploration_plan *plan) {
@@ -24,14 +25,8 @@ int qtr_explorer_init(qtr_explorer *explorer, const qtr_exploration_plan *plan, 
   return QTR_OK;
 }
 
-/* SplitMix64 (Steele, Lea, Flood 2014), as a number from 0 to below 1. */
 static double draw(qtr_explorer *explorer) {
-  explorer->random += 0x9E3779B97F4A7C15u;
-  uint64_t z = explorer->random;
-  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
-  z ^= z >> 31;
-  return (double)(z >> 11) * (1.0 / 9007199254740992.0);
+  return qtr_splitmix_unit(&explorer->random);
 }
 
 static unsigned draw_below(qtr_explorer *explorer, unsigned count) {

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "quarter/random.h"
+
 #define SEGMENT_MOST 3 /* places that are moved together */
 #define WORTHLESS (-1e300)
 #define ROUNDING 1e-12 /* relative: more than adding up a route is wrong by */
@@ -187,8 +189,7 @@ static void descend(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
 /* ---- shaking ---- */
 
 static unsigned draw(qtr_refinery *r, unsigned below) {
-  r->random = r->random * 6364136223846793005u + 1442695040888963407u;
-  return (unsigned)((r->random >> 33) % below);
+  return qtr_lcg_below(&r->random, below);
 }
 
 /* Take a few places out of one route and put them somewhere into another, better or not. */

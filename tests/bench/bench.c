@@ -10,6 +10,7 @@
 #include "host/base/clock.h"
 #include "host/input/input.h"
 #include "quarter/learner.h"
+#include "quarter/random.h"
 
 #define MAPS_MOST 100
 
@@ -56,11 +57,10 @@ static double median(double *values, int count) {
 
 /* ---- random maps ---- */
 
-static unsigned long long state;
+static uint64_t state;
 
 static unsigned draw(unsigned below) {
-  state = state * 6364136223846793005ull + 1442695040888963407ull;
-  return (unsigned)(state >> 33) % below;
+  return qtr_lcg_below(&state, below);
 }
 
 static bool is_taken(qtr_cell cell) {
@@ -72,7 +72,7 @@ static bool is_taken(qtr_cell cell) {
 /* One map: a fifth of the cells blocked, all seekers in a corner, one place in three of three times the weight. Maps with
  * a place that cannot be reached are drawn again. */
 static void make_map(unsigned seed, int side, int places, int seekers, int objective) {
-  state = seed * 0x9E3779B97F4A7C15ull;
+  state = seed * 0x9E3779B97F4A7C15u;
   do {
     qtr_mission_default(&mission);
     mission.columns = mission.rows = (uint16_t)side;

@@ -8,6 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "quarter/random.h"
+
 typedef struct {
   uint64_t state;
 } test_random;
@@ -15,10 +17,7 @@ typedef struct {
 static char case_note[200]; /* for the assertions' _MESSAGE */
 
 static inline uint64_t random_bits(test_random *random) {
-  uint64_t z = random->state += 0x9E3779B97F4A7C15u;
-  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
-  return z ^ z >> 31;
+  return qtr_splitmix_next(&random->state);
 }
 
 /* 0..below-1 */
@@ -36,7 +35,7 @@ static inline bool random_chance(test_random *random, unsigned percent) {
 
 /* 0 or more and less than 1 */
 static inline double random_unit(test_random *random) {
-  return (double)(random_bits(random) >> 11) / 9007199254740992.0;
+  return qtr_splitmix_unit(&random->state);
 }
 
 /* Begin case `number` of a test: its random numbers, and the note that names its seed. */

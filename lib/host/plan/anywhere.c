@@ -12,6 +12,7 @@
 #include "quarter/deployment.h"
 #include "quarter/nominal.h"
 #include "quarter/policy.h"
+#include "quarter/random.h"
 #include "quarter/status.h"
 
 /* The whole table under work. */
@@ -312,8 +313,7 @@ static uint32_t write_table(builder *b, uint8_t **bytes, fault *why) {
 static uint64_t draws;
 
 static uint32_t draw(uint32_t below) {
-  draws = draws * 6364136223846793005u + 1442695040888963407u;
-  return (uint32_t)((draws >> 33) % below);
+  return qtr_lcg_below(&draws, below);
 }
 
 /* What the table's routes earn when the seekers set out from these very cells. */
