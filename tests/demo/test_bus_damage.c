@@ -73,7 +73,7 @@ static void hear_status(void *user, const message_status *m) {
 static void put(int kind, const uint8_t *data, int length) {
   log_event e = {.number = written++, .length = length};
   snprintf(e.channel, sizeof e.channel, "%s", channels[kind]);
-  memcpy(e.data, data, (size_t)length);
+  if (length > 0) memcpy(e.data, data, (size_t)length); /* of nothing there may be no address */
   log_write(out, &e);
 }
 
