@@ -48,6 +48,10 @@ static void test_learner_side_refuses_callers_of_other_sizes(void) {
   static qtr_regions regions;
   static qtr_regions_scratch regions_scratch;
   static qtr_belief belief;
+  static qtr_any_start any;
+  static qtr_start_trials trials;
+  const qtr_any_start_asked asked = {&table_game, NULL, true};
+  const qtr_any_start_blocks blocks = {NULL, NULL, NULL, NULL, 0};
   const qtr_spots_config limits = {2, 5, 0.0};
   qtr_regions_config sizes;
   qtr_regions_default(&sizes);
@@ -62,6 +66,10 @@ static void test_learner_side_refuses_callers_of_other_sizes(void) {
   memset(&regions_scratch, 0xA5, sizeof regions_scratch);
   expect_refused(qtr_nearby_init_built(&regions_scratch.nearby, &grid, FOREIGN), &regions_scratch,
                  sizeof regions_scratch);
+  memset(&any, 0xA5, sizeof any);
+  expect_refused(qtr_any_start_init_built(&any, &asked, &blocks, &table_field, FOREIGN), &any, sizeof any);
+  memset(&trials, 0xA5, sizeof trials);
+  expect_refused(qtr_start_trials_begin_built(&trials, 1, FOREIGN), &trials, sizeof trials);
   memset(&belief, 0xA5, sizeof belief);
   expect_refused(qtr_belief_init_sized(&belief, 2, NULL, 1.0, 1.0, FOREIGN), &belief, sizeof belief);
   expect_refused(qtr_belief_load_sized(&belief, table_bytes, table_size, FOREIGN), &belief, sizeof belief);

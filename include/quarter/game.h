@@ -38,6 +38,11 @@ typedef struct {
 #define qtr_game_init(game, mission, field, culprit) qtr_game_init_built(game, mission, field, culprit, QTR_CONFIG_ID)
 int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit, uint32_t config_id);
 
+/* The cell of one of the board's starts. */
+static inline qtr_cell qtr_game_start_cell(const qtr_game *game, unsigned start) {
+  return game->mission->start[game->first_at[start]];
+}
+
 /* Whether any seeker can reach a place; false if there is no such place. */
 bool qtr_game_reachable(const qtr_game *game, unsigned place);
 

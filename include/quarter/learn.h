@@ -2,6 +2,7 @@
 #ifndef QUARTER_LEARN_H
 #define QUARTER_LEARN_H
 
+#include "quarter/any_start.h"
 #include "quarter/belief.h"
 #include "quarter/bound.h"
 #include "quarter/environment.h"
@@ -17,10 +18,13 @@
 #include "quarter/random.h"
 #include "quarter/refine.h"
 #include "quarter/regions.h"
+#include "quarter/rest.h"
 #include "quarter/robot.h"
 #include "quarter/sight.h"
 #include "quarter/spots.h"
+#include "quarter/start_trials.h"
 #include "quarter/target.h"
 #include "quarter/watch.h"
+#include "quarter/writer.h"
 
 #endif

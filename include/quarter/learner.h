@@ -27,6 +27,7 @@
 #include "quarter/game.h"
 #include "quarter/joint.h"
 #include "quarter/play.h"
+#include "quarter/policy.h"
 #include "quarter/qtable.h"
 #include "quarter/refine.h"
 
@@ -93,9 +94,6 @@ typedef struct {
   uint16_t first;   /* place that the choice leads to first */
   qtr_outcome outcome;
 } qtr_trace;
-
-/* Bytes of the largest record of a policy table. */
-#define QTR_RECORD_BYTES (4 * QTR_KEY_WORDS + 4)
 
 /* What a learner is at. The paper setting has no use for an aggregate's prices. */
 enum qtr_phase { QTR_PHASE_GROUND_PRICES = 0, QTR_PHASE_AGGREGATE_PRICES = 1, QTR_PHASE_EPISODES = 2 };

@@ -15,6 +15,7 @@
 
 #define QTR_POLICY_FORMAT 1 /* raised when the bytes change their meaning; apart from the library's version */
 #define QTR_POLICY_NO_REGION 0xFFFFu
+#define QTR_RECORD_BYTES (4 * QTR_KEY_WORDS + 4) /* of the largest record of a table */
 
 /* An open table: views into its bytes, which must stay where they are and unchanged as long as it is used. */
 typedef struct {

@@ -2,7 +2,7 @@
 
 #include <stddef.h>
 
-#include "core/bytes.h"
+#include "model/matrix.h"
 
 /* ---- set-up ---- */
 
@@ -17,24 +17,12 @@ static void find_starts(qtr_game *game) {
   }
 }
 
-static void store_steps(qtr_game *game, unsigned node, unsigned place, qtr_steps steps) {
-  store32_le(game->steps + 4 * ((uint32_t)node * game->board.places + place), steps);
-}
-
-/* One field a place gives the travel times to it from every node. False: stopped. */
+/* False: stopped. */
 static bool measure_travel(qtr_game *game, qtr_field *field) {
-  const qtr_mission *mission = game->mission;
-  const qtr_grid grid = qtr_mission_grid(mission);
-  for (uint16_t to = 0; to < mission->places; to++) {
-    if (to > 0 && !qtr_watch_go_on(&mission->watch)) return false;
-    qtr_field_fill(field, &grid, mission->place[to]);
-    for (unsigned from = 0; from < mission->places; from++)
-      store_steps(game, from, to, field->to_go[mission->place[from]]);
-    for (unsigned start = 0; start < game->board.starts; start++)
-      store_steps(game, mission->places + start, to, field->to_go[mission->start[game->first_at[start]]]);
-    game->measured = (uint16_t)(to + 1);
-  }
-  return true;
+  qtr_cell start[QTR_MAX_SEEKERS];
+  for (unsigned i = 0; i < game->board.starts; i++) start[i] = qtr_game_start_cell(game, i);
+  game->measured = qtr_matrix_fill(game->steps, game->mission, start, game->board.starts, field);
+  return game->measured == game->mission->places;
 }
 
 static void set_probabilities(qtr_game *game) {

@@ -10,6 +10,7 @@
 #include "quarter/nominal.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
+#include "quarter/writer.h"
 #include "random.h"
 #include "robot/layout.h"
 #include "unity.h"

@@ -7,9 +7,6 @@
 
 #include "host/base/fault.h"
 #include "host/plan/study.h"
-#include "quarter/export.h"
-
-#define ANYWHERE_TRIALS 100
 
 /* What the ground says of the table's policies from random starts, against policies learnt for those starts alone. */
 typedef struct {

@@ -1,0 +1,104 @@
+/* A table that also answers for starts in any region of the map, and for any set of places cleared beforehand, so that one
+ * table serves redeployment and a mission resumed.
+ *
+ * For every crew (a region for each seeker; alike seekers are interchangeable, so the regions of a crew never fall) and
+ * every set of places cleared there is a game to learn. All are recorded on one board, whose starts are the regions'
+ * representatives and after them the mission's own. The mission's own games come first, and in a state that several games
+ * meet theirs decide, so that the certificate in the table is what they earn.
+ *
+ *   qtr_any_start_init(&any, &asked, &blocks, &field);
+ *   while (qtr_any_start_next(&any)) {
+ *     // learn qtr_any_start_rest(), or take what is known of the mission itself: any.is_whole
+ *     qtr_any_start_add(&any, &routes);
+ *   }
+ *   qtr_any_start_finish(&any);
+ *   qtr_table_write(&content, ...);  // content = qtr_any_start_content()
+ *
+ * It may be left after any game: off the table robots go by their rule.
+ */
+#ifndef QUARTER_ANY_START_H
+#define QUARTER_ANY_START_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "quarter/game.h"
+#include "quarter/refine.h"
+#include "quarter/regions.h"
+#include "quarter/writer.h"
+
+/* What the table is to be for. Game and regions must outlive its making. */
+typedef struct {
+  const qtr_game *game;       /* the mission's own, set up */
+  const qtr_regions *regions; /* any of them may be a start; NULL: the mission's own starts alone */
+  bool any_cleared;           /* any set of places may be cleared; false: none */
+} qtr_any_start_asked;
+
+/* Memory of the caller's, by qtr_any_start_needs(). */
+typedef struct {
+  uint8_t *steps;    /* the board's travel times */
+  qtr_cell *start;   /* cells of the board's starts */
+  uint16_t *region;  /* of each cell; NULL without regions */
+  uint8_t *entries;  /* states met, and in the end the table's records: grows with the games, see qtr_any_start_add() */
+  size_t entry_room; /* bytes that `entries` holds */
+} qtr_any_start_blocks;
+
+/* How much of it, in bytes. */
+typedef struct {
+  size_t steps, start, region;
+  uint16_t starts; /* of the board */
+} qtr_any_start_sizes;
+
+typedef struct {
+  qtr_any_start_asked asked;
+  qtr_any_start_blocks blocks;
+  qtr_board board;
+  uint16_t regions; /* starts that crews are drawn from; 0: none */
+  /* the game that is to be learnt */
+  uint16_t start_of[QTR_MAX_SEEKERS]; /* the crew */
+  qtr_places cleared;
+  bool begun;
+  bool is_own;   /* the crew is the mission's own */
+  bool is_whole; /* and nothing is cleared: the mission itself */
+  /* so far */
+  uint32_t count; /* entries, after qtr_any_start_finish() records */
+  uint64_t games; /* added */
+  double crews;   /* done */
+} qtr_any_start;
+
+/* QTR_OK, or QTR_ERR_LIMIT for more regions than a table can tell starts of. */
+int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked);
+
+/* Measure the board. `field` is scratch. QTR_OK, QTR_ERR_STOPPED by the mission's watch, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if
+ * the caller was built under other sizes. */
+#define qtr_any_start_init(any, asked, blocks, field) qtr_any_start_init_built(any, asked, blocks, field, QTR_CONFIG_ID)
+int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *asked, const qtr_any_start_blocks *blocks,
+                             qtr_field *field, uint32_t config_id);
+
+/* Ways to put the seekers into the regions; games to learn; bytes of records that they will take, about. */
+double qtr_any_start_count_crews(const qtr_any_start *any);
+double qtr_any_start_count_games(const qtr_any_start *any);
+double qtr_any_start_estimate(const qtr_any_start *any);
+
+/* Go on to the next game. False: there is none left. */
+bool qtr_any_start_next(qtr_any_start *any);
+
+/* The mission that is left in the game under way, as qtr_rest_make() has it. */
+void qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *number);
+
+/* Record the game under way, played by routes whose places are numbered by `number` (NULL: as in the whole mission). QTR_OK;
+ * with nothing recorded QTR_ERR_SPACE if the entries have no room left: copy them to a larger block, tell it by
+ * qtr_any_start_move(), and try again. */
+int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16_t *number);
+
+/* The entries stand in another block now. */
+void qtr_any_start_move(qtr_any_start *any, uint8_t *entries, size_t room);
+
+/* No more games: sort the entries, and keep one record of each state. */
+void qtr_any_start_finish(qtr_any_start *any);
+
+/* What the table is made of; lives as long as all that it points to. The certificate is that of the mission's own game. */
+qtr_table_content qtr_any_start_content(const qtr_any_start *any, const qtr_certificate *certificate, uint64_t seed);
+
+#endif

@@ -1,0 +1,265 @@
+#include "quarter/any_start.h"
+
+#include <string.h>
+
+#include "model/matrix.h"
+#include "quarter/policy.h"
+#include "quarter/rest.h"
+#include "quarter/status.h"
+#include "table/record.h"
+
+/* ---- the board of all starts ---- */
+
+static unsigned count_regions(const qtr_any_start_asked *asked) {
+  return asked->regions != NULL ? asked->regions->count : 0;
+}
+
+static uint32_t count_cells(const qtr_mission *mission) {
+  const qtr_grid grid = qtr_mission_grid(mission);
+  return qtr_grid_cells(&grid);
+}
+
+int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked) {
+  const qtr_mission *mission = asked->game->mission;
+  const uint32_t starts = count_regions(asked) + asked->game->board.starts;
+  if (starts > QTR_MAX_STARTS) return QTR_ERR_LIMIT;
+  sizes->starts = (uint16_t)starts;
+  sizes->start = starts * sizeof(qtr_cell);
+  sizes->steps = 4u * ((size_t)mission->places + starts) * mission->places;
+  sizes->region = asked->regions != NULL ? count_cells(mission) * sizeof(uint16_t) : 0;
+  return QTR_OK;
+}
+
+/* The regions' representatives, then the mission's own. */
+static void set_starts(qtr_any_start *any) {
+  const qtr_game *game = any->asked.game;
+  qtr_cell *start = any->blocks.start;
+  for (unsigned region = 0; region < any->regions; region++) *start++ = any->asked.regions->representative[region];
+  for (unsigned own = 0; own < game->board.starts; own++) *start++ = qtr_game_start_cell(game, own);
+  for (unsigned i = 0; i < any->board.seekers; i++)
+    any->board.start_of[i] = (uint16_t)(any->regions + game->board.start_of[i]);
+}
+
+static void set_regions(qtr_any_start *any) {
+  const qtr_mission *mission = any->asked.game->mission;
+  const uint32_t cells = any->regions > 0 ? count_cells(mission) : 0;
+  for (uint32_t cell = 0; cell < cells; cell++)
+    any->blocks.region[cell] = mission->cost[cell] > 0 ? (uint16_t)any->asked.regions->of[cell] : QTR_POLICY_NO_REGION;
+}
+
+int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *asked, const qtr_any_start_blocks *blocks,
+                             qtr_field *field, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  const qtr_mission *mission = asked->game->mission;
+  qtr_any_start_sizes sizes;
+  const int status = qtr_any_start_needs(&sizes, asked);
+  if (status != QTR_OK) return status;
+  memset(any, 0, sizeof *any);
+  any->asked = *asked;
+  any->blocks = *blocks;
+  any->regions = (uint16_t)count_regions(asked);
+  any->board = asked->game->board;
+  any->board.starts = sizes.starts;
+  any->board.steps = blocks->steps;
+  set_starts(any);
+  set_regions(any);
+  const uint16_t done = qtr_matrix_fill(blocks->steps, mission, blocks->start, sizes.starts, field);
+  return done < mission->places ? QTR_ERR_STOPPED : qtr_board_init(&any->board);
+}
+
+/* ---- how much it is ---- */
+
+double qtr_any_start_count_crews(const qtr_any_start *any) {
+  double crews = 1.0;
+  for (unsigned i = 0; any->regions > 0 && i < any->board.seekers; i++)
+    crews *= (double)(any->regions + i) / (double)(i + 1);
+  return crews;
+}
+
+/* Every set but that of all places. */
+static double count_sets(const qtr_any_start *any) {
+  double sets = 1.0;
+  if (!any->asked.any_cleared) return sets;
+  for (unsigned place = 0; place < any->board.places; place++) sets *= 2.0;
+  return sets - 1.0;
+}
+
+double qtr_any_start_count_games(const qtr_any_start *any) {
+  return qtr_any_start_count_crews(any) * count_sets(any);
+}
+
+/* A game's states: a choice for every place that is left, half of them in the mean, and for all seekers but one that stand
+ * down. */
+double qtr_any_start_estimate(const qtr_any_start *any) {
+  const double places = any->board.places * (any->asked.any_cleared ? 0.5 : 1.0);
+  return qtr_any_start_count_games(any) * (places + any->board.seekers - 1) * record_size(any->board.keys.words);
+}
+
+/* ---- one game after another ---- */
+
+/* The next set of cleared places, counting in binary; false where all are cleared, for then nothing is left. */
+static bool next_cleared(qtr_any_start *any) {
+  const unsigned places = any->board.places;
+  unsigned place = 0;
+  unsigned left = 0;
+  while (place < places && qtr_places_has(&any->cleared, place)) qtr_places_remove(&any->cleared, place++);
+  if (place < places) qtr_places_add(&any->cleared, place);
+  for (unsigned p = 0; p < places; p++) left += !qtr_places_has(&any->cleared, p);
+  return place < places && left > 0;
+}
+
+/* The next crew in the order of the regions, each seeker's region no lower than the one's before it. */
+static bool next_crew(qtr_any_start *any) {
+  unsigned i = any->board.seekers;
+  while (i > 0 && any->start_of[i - 1] + 1 == any->regions) i--;
+  if (i == 0) return false;
+  const uint16_t region = (uint16_t)(any->start_of[i - 1] + 1);
+  for (unsigned j = i - 1; j < any->board.seekers; j++) any->start_of[j] = region;
+  return true;
+}
+
+static bool begin(qtr_any_start *any) {
+  any->begun = any->is_own = any->is_whole = true;
+  memcpy(any->start_of, any->board.start_of, sizeof any->start_of);
+  return true;
+}
+
+bool qtr_any_start_next(qtr_any_start *any) {
+  if (!any->begun) return begin(any);
+  any->is_whole = false;
+  if (any->asked.any_cleared && next_cleared(any)) return true;
+  qtr_places_clear(&any->cleared);
+  if (any->regions == 0) return false;
+  if (!any->is_own) {
+    any->crews += 1.0;
+    return next_crew(any);
+  }
+  any->is_own = false;
+  memset(any->start_of, 0, sizeof any->start_of);
+  return true;
+}
+
+void qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *number) {
+  qtr_cell start[QTR_MAX_SEEKERS];
+  for (unsigned i = 0; i < any->board.seekers; i++) start[i] = any->blocks.start[any->start_of[i]];
+  qtr_rest_make(rest, number, any->asked.game->mission, start, &any->cleared);
+}
+
+/* ---- entries: a record, and behind it its rank; among entries of one state the lowest rank stays ---- */
+
+static uint32_t entry_size(const qtr_any_start *any) {
+  return record_size(any->board.keys.words) + 1u;
+}
+
+static uint8_t *entry_at(const qtr_any_start *any, uint32_t i) {
+  return any->blocks.entries + (size_t)i * entry_size(any);
+}
+
+static int add_entry(qtr_any_start *any, const qtr_joint *joint, uint16_t choice) {
+  const uint32_t size = entry_size(any);
+  if (any->count == UINT32_MAX || ((size_t)any->count + 1) * size > any->blocks.entry_room) return QTR_ERR_SPACE;
+  uint8_t *entry = entry_at(any, any->count++);
+  qtr_record_write(entry, joint, &any->board, choice);
+  entry[size - 1] = any->is_own ? 0 : 1;
+  return QTR_OK;
+}
+
+static uint16_t choice_of(const qtr_routes *routes, const uint16_t *number, int seeker, uint16_t *done) {
+  if (done[seeker] >= routes->length[seeker]) return QTR_STAND_DOWN;
+  const uint16_t place = routes->place[seeker][done[seeker]++];
+  return number != NULL ? number[place] : place;
+}
+
+int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16_t *number) {
+  const uint32_t before = any->count;
+  uint16_t done[QTR_MAX_SEEKERS] = {0};
+  qtr_joint joint;
+  qtr_joint_start(&joint, &any->board, any->start_of, &any->cleared);
+  do {
+    const int seeker = qtr_joint_chooser(&joint, &any->board);
+    if (seeker == QTR_NOBODY) continue;
+    const uint16_t choice = choice_of(routes, number, seeker, done);
+    if (add_entry(any, &joint, choice) != QTR_OK) {
+      any->count = before;
+      return QTR_ERR_SPACE;
+    }
+    qtr_joint_choose(&joint, &any->board, seeker, choice);
+  } while (qtr_joint_chooser(&joint, &any->board) != QTR_NOBODY || qtr_joint_advance(&joint, &any->board, NULL) > 0);
+  any->games++;
+  return QTR_OK;
+}
+
+void qtr_any_start_move(qtr_any_start *any, uint8_t *entries, size_t room) {
+  any->blocks.entries = entries;
+  any->blocks.entry_room = room;
+}
+
+/* ---- sorting, in place ---- */
+
+/* By key, then rank, then bytes: entries that are equal under this order are the same, so the order is one, whoever sorts. */
+static int compare(const qtr_any_start *any, uint32_t i, uint32_t j) {
+  const uint32_t size = entry_size(any);
+  const uint8_t *a = entry_at(any, i);
+  const uint8_t *b = entry_at(any, j);
+  const int order = record_compare(a, b, any->board.keys.words);
+  if (order != 0) return order;
+  if (a[size - 1] != b[size - 1]) return a[size - 1] < b[size - 1] ? -1 : 1;
+  return memcmp(a, b, size);
+}
+
+static void swap(const qtr_any_start *any, uint32_t i, uint32_t j) {
+  uint8_t entry[QTR_RECORD_BYTES + 1];
+  const uint32_t size = entry_size(any);
+  memcpy(entry, entry_at(any, i), size);
+  memcpy(entry_at(any, i), entry_at(any, j), size);
+  memcpy(entry_at(any, j), entry, size);
+}
+
+/* Let the entry at `root` sink in the heap of the first `count`: no parent is less than its children then. */
+static void sink(const qtr_any_start *any, uint32_t root, uint32_t count) {
+  for (uint32_t child; root < count / 2; root = child) {
+    child = 2 * root + 1;
+    if (child + 1 < count && compare(any, child, child + 1) < 0) child++;
+    if (compare(any, root, child) >= 0) return;
+    swap(any, root, child);
+  }
+}
+
+/* Heapsort (Williams 1964): no memory, no recursion, and never slow. */
+static void sort(const qtr_any_start *any) {
+  for (uint32_t root = any->count / 2; root > 0; root--) sink(any, root - 1, any->count);
+  for (uint32_t count = any->count; count > 1; count--) {
+    swap(any, 0, count - 1);
+    sink(any, 0, count - 1);
+  }
+}
+
+void qtr_any_start_finish(qtr_any_start *any) {
+  const unsigned words = any->board.keys.words;
+  const uint32_t size = record_size(words);
+  uint8_t *end = any->blocks.entries; /* of the records that are kept */
+  uint32_t kept = 0;
+  sort(any);
+  for (uint32_t i = 0; i < any->count; i++) {
+    const uint8_t *entry = entry_at(any, i);
+    if (kept > 0 && record_compare(entry, end - size, words) == 0) continue;
+    memmove(end, entry, size);
+    end += size;
+    kept++;
+  }
+  any->count = kept;
+}
+
+qtr_table_content qtr_any_start_content(const qtr_any_start *any, const qtr_certificate *certificate, uint64_t seed) {
+  const qtr_game *game = any->asked.game;
+  const qtr_table_content content = {.mission = game->mission,
+                                     .board = &any->board,
+                                     .probability = game->probability,
+                                     .start = any->blocks.start,
+                                     .region = any->regions > 0 ? any->blocks.region : NULL,
+                                     .records = any->blocks.entries,
+                                     .record_count = any->count,
+                                     .certificate = certificate,
+                                     .seed = seed};
+  return content;
+}
