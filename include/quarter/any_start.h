@@ -58,7 +58,7 @@ typedef struct {
   /* the game that is to be learnt */
   uint16_t start_of[QTR_MAX_SEEKERS]; /* the crew */
   qtr_places cleared;
-  bool begun;
+  bool begun, finished;
   bool is_own;   /* the crew is the mission's own */
   bool is_whole; /* and nothing is cleared: the mission itself */
   /* so far */

@@ -5,8 +5,11 @@
 
 #include <stdint.h>
 
+#include "quarter/status.h"
+
 /* Knuth's linear congruential generator (MMIX), for draws of a few: 0..below-1, from the better half of its bits. */
 static inline uint32_t qtr_lcg_below(uint64_t *state, uint32_t below) {
+  QTR_ASSERT(below > 0); /* there is a number to draw */
   *state = *state * 6364136223846793005u + 1442695040888963407u;
   return (uint32_t)((*state >> 33) % below);
 }

@@ -34,12 +34,22 @@ enum {
 /* One line of English for a status, never NULL; static storage. */
 const char *qtr_strerror(int status);
 
-/* A programmer's fault; bytes from outside never get here. Override to trap, log or compile it out. */
-#ifndef QTR_ASSERT
-#if defined(NDEBUG) || !defined(__GNUC__)
-#define QTR_ASSERT(condition) ((void)0)
+/* Whether QTR_ASSERT() looks: 0 where NDEBUG is defined, as in a release build, and 1 elsewhere, unless it is given. */
+#ifndef QTR_ASSERTIONS
+#ifdef NDEBUG
+#define QTR_ASSERTIONS 0
 #else
+#define QTR_ASSERTIONS 1
+#endif
+#endif
+
+/* What always holds, or a programmer has made a mistake; bytes from outside never get here. Override to trap, log or compile
+ * it out. */
+#ifndef QTR_ASSERT
+#if QTR_ASSERTIONS && defined(__GNUC__)
 #define QTR_ASSERT(condition) ((condition) ? (void)0 : __builtin_trap())
+#else
+#define QTR_ASSERT(condition) ((void)(0 && (condition)))
 #endif
 #endif
 

@@ -57,5 +57,7 @@ qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell c
     if (next == QTR_NO_CELL || field->to_go[next] == QTR_NEVER) continue;
     if (field->to_go[next] + qtr_grid_cost(grid, next) == to_go) return next;
   }
+  /* A cell in reach has a neighbour that is nearer by its cost, from which it was told its time. */
+  QTR_ASSERT(false);
   return QTR_NO_CELL;
 }

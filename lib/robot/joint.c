@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 
+#include "quarter/status.h"
 #include "robot/board.h"
 
 static bool is_idle(const qtr_joint *joint, unsigned seeker) {
@@ -42,6 +43,8 @@ static void stand_down_the_useless(qtr_joint *joint, const qtr_board *board) {
 }
 
 static void visit(qtr_joint *joint, unsigned place) {
+  /* A place is visited once, and `unvisited` counts the others. */
+  QTR_ASSERT(joint->unvisited > 0 && !qtr_places_has(&joint->visited, place));
   qtr_places_add(&joint->visited, place);
   qtr_places_remove(&joint->bound, place);
   joint->unvisited--;
@@ -55,6 +58,7 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *s
   for (unsigned place = 0; cleared != NULL && place < board->places; place++)
     if (qtr_places_has(cleared, place)) visit(joint, place);
   for (unsigned i = 0; i < board->seekers; i++) {
+    QTR_ASSERT(start_of[i] < board->starts); /* as qtr_board_init() and qtr_deployment_init() see to */
     joint->node[i] = (uint16_t)(board->places + start_of[i]);
     joint->remaining[i] = 0;
   }
@@ -65,6 +69,8 @@ int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board) {
   int chooser = QTR_NOBODY;
   for (int i = 0; i < board->seekers; i++)
     if (is_idle(joint, (unsigned)i) && (chooser == QTR_NOBODY || joint->node[i] < joint->node[chooser])) chooser = i;
+  /* Whoever has nothing to choose has been stood down: the chooser has a place to go to. */
+  QTR_ASSERT(chooser == QTR_NOBODY || find_choices(joint, board, (unsigned)chooser, NULL));
   return chooser;
 }
 
@@ -94,6 +100,7 @@ bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint
   }
   const qtr_steps steps = qtr_board_steps(board, (unsigned)seeker, joint->node[seeker], choice);
   if (steps == QTR_NEVER || qtr_places_has(&joint->visited, choice)) return false;
+  QTR_ASSERT(steps <= board->keys.longest); /* keys have room for the longest way and no longer one */
   joint->node[seeker] = choice;
   joint->remaining[seeker] = steps;
   if (steps == 0)
@@ -116,6 +123,9 @@ qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places
   if (joint->unvisited == 0 || least == QTR_NEVER) return 0;
   for (unsigned i = 0; i < board->seekers; i++) {
     if (joint->remaining[i] == 0) continue;
+    /* Who is on its way is bound for a place, which the others know; another may have visited it by now. */
+    QTR_ASSERT(joint->node[i] < board->places);
+    QTR_ASSERT(qtr_places_has(&joint->bound, joint->node[i]) || qtr_places_has(&joint->visited, joint->node[i]));
     joint->remaining[i] -= least;
     if (joint->remaining[i] > 0 || qtr_places_has(&joint->visited, joint->node[i])) continue;
     visit(joint, joint->node[i]);

@@ -2,10 +2,13 @@
 
 #include <stdbool.h>
 
+#include "quarter/status.h"
+
 /* ---- digits: key = key * base + digit, over so many words; returns how many it takes then ---- */
 
 static unsigned append_digit(qtr_key *key, unsigned words, uint32_t digit, uint32_t base) {
   uint64_t carry = digit;
+  QTR_ASSERT(digit < base); /* or two states would have one key */
   for (unsigned w = 0; w < words; w++) {
     carry += (uint64_t)key->word[w] * base;
     key->word[w] = (uint32_t)(carry & 0xFFFFFFFFu);
@@ -53,6 +56,11 @@ static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], unsigned seekers, const
   }
 }
 
+/* Of `words` words, the others being 0. */
+static bool fits_in_bits(const qtr_key *key, unsigned words, unsigned bits) {
+  return 32 * words <= bits || (words == bits / 32 + 1 && key->word[words - 1] >> bits % 32 == 0);
+}
+
 void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *visited, const uint16_t *node,
                   const qtr_steps *remaining) {
   uint8_t order[QTR_MAX_SEEKERS];
@@ -61,6 +69,8 @@ void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *vi
   for (unsigned i = 0; i < shape->seekers; i++)
     words = append_seeker(key, words, shape, node[order[i]], remaining[order[i]]);
   words = append_places(key, words, shape, visited);
+  /* No key is greater than the one that was measured: the bits above it are the Q-table's. */
+  QTR_ASSERT(words <= shape->words && fits_in_bits(key, words, shape->bits));
   while (words < shape->words) key->word[words++] = 0;
 }
 
@@ -72,6 +82,8 @@ void qtr_key_measure(qtr_key_shape *shape) {
   if (shape->places % 32 != 0) all.word[shape->places / 32] = ((uint32_t)1 << shape->places % 32) - 1;
   for (unsigned i = 0; i < shape->seekers; i++) words = append_seeker(&key, words, shape, shape->nodes, shape->longest);
   words = append_places(&key, words, shape, &all);
+  /* The greatest key is that of all places visited by seekers that have stood down, so it is not 0. */
+  QTR_ASSERT(words > 0 && words <= QTR_KEY_WORDS);
   unsigned bits = 32 * words;
   for (uint32_t top = key.word[words - 1]; (top & 0x80000000u) == 0; top <<= 1) bits--;
   shape->bits = (uint16_t)bits;

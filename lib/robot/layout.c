@@ -1,6 +1,8 @@
 #include "robot/layout.h"
 
+#include "quarter/board.h"
 #include "quarter/grid.h"
+#include "quarter/status.h"
 
 static uint64_t size_of(const table_dimensions *d, enum section section) {
   const uint32_t nodes = (uint32_t)d->places + d->starts;
@@ -17,6 +19,9 @@ static uint64_t size_of(const table_dimensions *d, enum section section) {
 }
 
 void qtr_layout_find(table_layout *layout, const table_dimensions *dimensions) {
+  /* So few that each section but the records is less than 2^32 bytes. */
+  QTR_ASSERT(dimensions->places <= QTR_MAX_PLACES && dimensions->starts <= QTR_MAX_STARTS);
+  QTR_ASSERT(dimensions->cells <= QTR_MAX_CELLS);
   layout->end = QTR_POLICY_HEADER_BYTES;
   for (unsigned section = 0; section < SECTIONS; section++) {
     layout->at[section] = (uint32_t)(layout->end & 0xFFFFFFFFu);

@@ -4,6 +4,7 @@
 
 #include "core/bytes.h"
 #include "core/crc.h"
+#include "quarter/status.h"
 #include "robot/layout.h"
 
 /* ---- by the table ---- */
@@ -26,6 +27,8 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
   while (low < high) {
     const uint32_t middle = low + (high - low) / 2;
     const uint8_t *record = policy->record + middle * record_size(words);
+    /* Records are in order, as they were when the table was opened. */
+    QTR_ASSERT(middle == 0 || record_compare(record - record_size(words), record, words) < 0);
     const int order = compare_key(record, &key, words);
     if (order == 0) {
       *choice = (uint16_t)load16_le(record + record_choice_at(words));

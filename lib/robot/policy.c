@@ -3,10 +3,13 @@
 #include <stddef.h>
 
 #include "core/bytes.h"
+#include "quarter/status.h"
 
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
   if (node >= qtr_board_nodes(&policy->board)) return QTR_NO_CELL;
-  return (qtr_cell)load32_le(policy->cells + 4 * node);
+  const uint32_t cell = load32_le(policy->cells + 4 * node);
+  QTR_ASSERT(cell < qtr_grid_cells(&policy->grid)); /* as it was when the table was opened */
+  return (qtr_cell)cell;
 }
 
 uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place) {

@@ -46,6 +46,8 @@ static void finish_territory(qtr_seeker *seeker) {
 }
 
 static void next_target(qtr_seeker *seeker) {
+  /* A territory is some seeker's route: as the passes go by, each seeker's once, the own one first. */
+  QTR_ASSERT(seeker->territory == (seeker->self + seeker->pass) % seeker->policy->board.seekers);
   for (;;) {
     seeker->target = qtr_policy_play(seeker->policy, &seeker->joint, seeker->territory, NULL, &seeker->off_table);
     if (seeker->target == QTR_STAND_DOWN) {

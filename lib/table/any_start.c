@@ -172,6 +172,7 @@ static uint16_t choice_of(const qtr_routes *routes, const uint16_t *number, int 
 
 int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16_t *number) {
   const uint32_t before = any->count;
+  QTR_ASSERT(any->begun && !any->finished); /* a game is under way: qtr_any_start_next() said so */
   uint16_t done[QTR_MAX_SEEKERS] = {0};
   qtr_joint joint;
   qtr_joint_start(&joint, &any->board, any->start_of, &any->cleared);
@@ -179,6 +180,8 @@ int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16
     const int seeker = qtr_joint_chooser(&joint, &any->board);
     if (seeker == QTR_NOBODY) continue;
     const uint16_t choice = choice_of(routes, number, seeker, done);
+    /* Routes lead to places that are left, each once. */
+    QTR_ASSERT(choice == QTR_STAND_DOWN || !qtr_places_has(&joint.visited, choice));
     if (add_entry(any, &joint, choice) != QTR_OK) {
       any->count = before;
       return QTR_ERR_SPACE;
@@ -248,6 +251,7 @@ void qtr_any_start_finish(qtr_any_start *any) {
     kept++;
   }
   any->count = kept;
+  any->finished = true;
 }
 
 qtr_table_content qtr_any_start_content(const qtr_any_start *any, const qtr_certificate *certificate, uint64_t seed) {

@@ -3,6 +3,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "quarter/status.h"
+
 void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole, const qtr_cell *start,
                    const qtr_places *cleared) {
   rest->places = 0;
@@ -13,6 +15,7 @@ void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole
     rest->place[rest->places] = whole->place[place];
     rest->weight[rest->places++] = whole->weight[place];
   }
+  QTR_ASSERT(rest->places > 0); /* a mission has something to search */
   memcpy(rest->start, start, whole->seekers * sizeof *start);
 }
 

@@ -60,6 +60,7 @@ static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *dep
 
 void qtr_start_trials_add(qtr_start_trials *trials, const qtr_policy *policy, const qtr_game *game, double best) {
   const double loss = (best - earn_on_ground(policy, &trials->deployment, game)) / fabs(best);
+  QTR_ASSERT(trials->count < QTR_START_TRIALS && trials->tries > 0); /* qtr_start_trials_next() said so */
   unsigned at = trials->count++;
   for (; at > 0 && trials->loss[at - 1] > loss; at--) trials->loss[at] = trials->loss[at - 1];
   trials->loss[at] = loss;
