@@ -107,7 +107,7 @@ static void free_sheet(sheet *s) {
 static int from_input(sheet *s, const options *o, fault *why) {
   const qtr_mission *mission = &desk->drawn.in.mission;
   if (prepare_problem(&desk->drawn, o, why) != 0) return -1;
-  const size_t cells = (size_t)mission->columns * mission->rows;
+  const size_t cells = qtr_mission_cells(mission);
   s->cost = malloc(cells);
   if (s->cost == NULL) return fault_set(why, "%s: no memory for the picture", o->input);
   s->d.cost = s->cost;
@@ -175,7 +175,7 @@ static void add_certificate(sheet *s, const table *t) {
 
 static int from_table(sheet *s, const table *t, fault *why) {
   const qtr_policy *policy = &t->policy;
-  const uint32_t cells = (uint32_t)policy->grid.columns * policy->grid.rows;
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
   s->cost = malloc(cells);
   if (s->cost == NULL) return fault_set(why, "no memory for the picture");
   s->d.cost = s->cost;
@@ -206,7 +206,7 @@ static int add_regions(sheet *s, const options *o, fault *why) {
                                      .place = s->place,
                                      .weight = s->likelihood};
   const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->cost};
-  const size_t cells = (size_t)s->d.columns * s->d.rows;
+  const size_t cells = drawing_cells(&s->d);
   const int status = qtr_regions_build(&desk->divided, &grid, &config, &desk->dividing);
   if (status != QTR_OK) return fault_set(why, "%s: its regions: %s", o->input, qtr_strerror(status));
   s->region = malloc(cells * sizeof *s->region);

@@ -36,4 +36,8 @@ typedef struct {
   const uint16_t *spot;           /* of each place: those of a spot wear one colour and letter; NULL: none */
 } drawing;
 
+static inline size_t drawing_cells(const drawing *d) {
+  return (size_t)d->columns * d->rows;
+}
+
 #endif

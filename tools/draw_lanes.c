@@ -16,7 +16,7 @@ static unsigned side_of(const drawing *d, const drawing_seeker *s, size_t step, 
 
 static void mark(draw_page *page, const drawing_seeker *s) {
   qtr_cell cell;
-  memset(page->layer, 0, (size_t)page->d->columns * page->d->rows * sizeof *page->layer);
+  memset(page->layer, 0, drawing_cells(page->d) * sizeof *page->layer);
   for (size_t step = 0; step + 1 < s->trail_length; step++) {
     const unsigned side = side_of(page->d, s, step, &cell);
     page->layer[cell] = (uint16_t)(page->layer[cell] | side);
@@ -54,7 +54,7 @@ static void assign_lanes(draw_page *page) {
 /* In the layer: by which sides each cell is left by one seeker and by several, and who visits the place on it. */
 static void mark_shared(draw_page *page) {
   const drawing *d = page->d;
-  const size_t cells = (size_t)d->columns * d->rows;
+  const size_t cells = drawing_cells(d);
   qtr_cell cell;
   memset(page->layer, 0, cells * sizeof *page->layer);
   memset(page->queue, 0, cells * sizeof *page->queue);

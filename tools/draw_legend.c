@@ -17,7 +17,7 @@ static void seeker_text(char text[80], const drawing_seeker *s) {
 
 static bool has_slow_ground(const drawing *d, int *slowest) {
   *slowest = 1;
-  for (size_t cell = 0; cell < (size_t)d->columns * d->rows; cell++)
+  for (size_t cell = 0; cell < drawing_cells(d); cell++)
     if (d->cost[cell] > *slowest) *slowest = d->cost[cell];
   return *slowest > 1;
 }

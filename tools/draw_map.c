@@ -4,10 +4,6 @@
 
 #include "draw_parts.h"
 
-static size_t cells_of(const drawing *d) {
-  return (size_t)d->columns * d->rows;
-}
-
 static uint16_t at(const draw_page *page, unsigned row, unsigned column) {
   return page->layer[(size_t)row * page->d->columns + column];
 }
@@ -75,7 +71,7 @@ static void draw_slow_ground(draw_page *page) {
   const drawing *d = page->d;
   bool met[256] = {false};
   int slowest = 2;
-  for (size_t cell = 0; cell < cells_of(d); cell++) {
+  for (size_t cell = 0; cell < drawing_cells(d); cell++) {
     page->layer[cell] = d->cost[cell];
     met[d->cost[cell]] = true;
     if (d->cost[cell] > slowest) slowest = d->cost[cell];
@@ -96,7 +92,7 @@ static size_t beside(const drawing *d, size_t cell, int direction) {
   switch (direction) {
   case 0: return cell >= d->columns ? cell - d->columns : cell;
   case 1: return column + 1 < d->columns ? cell + 1 : cell;
-  case 2: return cell + d->columns < cells_of(d) ? cell + d->columns : cell;
+  case 2: return cell + d->columns < drawing_cells(d) ? cell + d->columns : cell;
   default: return column > 0 ? cell - 1 : cell;
   }
 }
@@ -105,7 +101,7 @@ static size_t beside(const drawing *d, size_t cell, int direction) {
 static void flood_territories(draw_page *page) {
   const drawing *d = page->d;
   size_t head = 0, tail = 0;
-  memset(page->layer, 0, cells_of(d) * sizeof *page->layer);
+  memset(page->layer, 0, drawing_cells(d) * sizeof *page->layer);
   for (int p = 0; p < d->places; p++) {
     if (page->visitor[p] < 0 || page->layer[d->place[p]] != 0) continue;
     page->layer[d->place[p]] = (uint16_t)(page->visitor[p] + 1);
@@ -125,7 +121,7 @@ static void flood_territories(draw_page *page) {
 /* Blocked cells are painted over later: as part of a territory they make for fewer rectangles. */
 static void fill_blocked_cells(draw_page *page) {
   const drawing *d = page->d;
-  for (size_t cell = 1; cell < cells_of(d); cell++)
+  for (size_t cell = 1; cell < drawing_cells(d); cell++)
     if (d->cost[cell] == 0) page->layer[cell] = page->layer[cell - 1];
 }
 

@@ -70,7 +70,7 @@ static void find_visitors(draw_page *page) {
 /* ---- checks ---- */
 
 static bool seeker_fits(const drawing *d, const drawing_seeker *s) {
-  const size_t cells = (size_t)d->columns * d->rows;
+  const size_t cells = drawing_cells(d);
   if (s->start >= cells) return false;
   for (size_t i = 0; s->trail != NULL && i < s->trail_length; i++)
     if (s->trail[i] >= cells) return false;
@@ -80,7 +80,7 @@ static bool seeker_fits(const drawing *d, const drawing_seeker *s) {
 }
 
 static bool fits(const drawing *d) {
-  const size_t cells = (size_t)d->columns * d->rows;
+  const size_t cells = drawing_cells(d);
   if (cells == 0 || d->places > QTR_MAX_PLACES || d->seekers > QTR_MAX_SEEKERS) return false;
   for (int p = 0; p < d->places; p++)
     if (d->place[p] >= cells || !(d->likelihood[p] > 0)) return false;
@@ -140,7 +140,7 @@ static void draw_title(const draw_page *page) {
 
 int draw_svg(FILE *out, const drawing *d) {
   draw_page page = {.out = out, .d = d};
-  const size_t cells = (size_t)d->columns * d->rows;
+  const size_t cells = drawing_cells(d);
   if (!fits(d)) return -1;
   page.layer = malloc(cells * sizeof *page.layer);
   page.queue = malloc(cells * sizeof *page.queue);

@@ -60,7 +60,7 @@ static int learn_table(table *t, double seconds, fault *why) {
 /* ---- a table from elsewhere ---- */
 
 static bool same_map(const qtr_grid *grid, const qtr_mission *mission) {
-  const uint32_t cells = (uint32_t)mission->columns * mission->rows;
+  const uint32_t cells = qtr_mission_cells(mission);
   if (grid->columns != mission->columns || grid->rows != mission->rows) return false;
   for (uint32_t cell = 0; cell < cells; cell++)
     if (qtr_grid_cost(grid, (qtr_cell)cell) != mission->cost[cell]) return false;

@@ -30,7 +30,7 @@ static wall grow(const mason *m, unsigned column, unsigned row) {
 }
 
 int walls_make(wall **walls, const qtr_grid *grid) {
-  const size_t cells = (size_t)grid->columns * grid->rows;
+  const size_t cells = qtr_grid_cells(grid);
   const mason m = {grid, calloc(cells, sizeof *m.taken)};
   int count = 0;
   *walls = malloc(cells * sizeof **walls);

@@ -7,6 +7,8 @@
 
 #include "quarter/config.h"
 
+#define QTR_TRAVEL_RING 256 /* one more than the greatest cost of a cell: what a search needs (quarter/travel.h) */
+
 enum qtr_grid_encoding {
   QTR_GRID_BITS = 0, /* a bit a cell, 1 = free at cost 1; cell c is bit c % 8 of byte c / 8 */
   QTR_GRID_BYTES = 1 /* a byte a cell: 0 = blocked, 1..255 = steps that entering the cell takes */

@@ -33,6 +33,11 @@ int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id);
  * `*culprit` (may be NULL) the index of the start or place at fault. Reachability is checked with the travel times. */
 int qtr_mission_check(const qtr_mission *mission, int *culprit);
 
+/* Cells of its map, blocked ones included. */
+static inline uint32_t qtr_mission_cells(const qtr_mission *mission) {
+  return (uint32_t)mission->columns * mission->rows;
+}
+
 /* The mission's cells as a grid; lives as long as the mission. */
 qtr_grid qtr_mission_grid(const qtr_mission *mission);
 

@@ -15,8 +15,6 @@
 /* The most cells looked at together: a region and all that border on it. */
 #define QTR_NEARBY_MOST (3 * QTR_MAX_REGION_SIZE + 2)
 
-#define QTR_NEARBY_RING 256 /* one more than the greatest cost of a cell */
-
 enum { QTR_WAY_NORTH = 1, QTR_WAY_EAST = 2, QTR_WAY_SOUTH = 4, QTR_WAY_WEST = 8 };
 
 /* Large: keep it in static storage. */
@@ -25,7 +23,7 @@ typedef struct {
   uint64_t work;                 /* cells that all searches came to since the start: what they cost */
   qtr_steps time[QTR_MAX_CELLS]; /* of the search under way: from the cell to its start; QTR_NEVER between searches */
   qtr_cell link[QTR_MAX_CELLS];  /* cells waiting in the same ring entry */
-  qtr_cell ring[QTR_NEARBY_RING];
+  qtr_cell ring[QTR_TRAVEL_RING];
   qtr_cell reached[QTR_MAX_CELLS]; /* by the search under way */
   uint8_t ways[QTR_MAX_CELLS];     /* bits QTR_WAY_...: which neighbours are free */
   uint16_t slot[QTR_MAX_CELLS];    /* 1 + the cell's index in the list; 0: not listed */

@@ -10,8 +10,6 @@
 #include "quarter/grid.h"
 #include "quarter/status.h"
 
-#define QTR_TRAVEL_RING 256 /* one more than the greatest cost of a cell */
-
 /* Travel times from every cell to one target. Large: keep it in static storage. */
 typedef struct {
   qtr_steps to_go[QTR_MAX_CELLS]; /* QTR_NEVER where the target cannot be reached */

@@ -1,5 +1,6 @@
 #include "quarter/nearby.h"
 
+#include "core/ring.h"
 #include "quarter/status.h"
 
 static bool is_free(const qtr_grid *grid, uint32_t cell) {
@@ -30,7 +31,7 @@ int qtr_nearby_init_built(qtr_nearby *nearby, const qtr_grid *grid, uint32_t con
     nearby->ways[cell] = find_ways(grid, cell);
     nearby->slot[cell] = 0;
   }
-  for (int i = 0; i < QTR_NEARBY_RING; i++) nearby->ring[i] = QTR_NO_CELL;
+  ring_clear(nearby->ring);
   return QTR_OK;
 }
 
@@ -51,17 +52,16 @@ void qtr_nearby_clear(qtr_nearby *nearby) {
 
 /* ---- the search of quarter/travel.h, which ends when all listed cells are found or the rest are too far ---- */
 
-static unsigned ring_entry(const qtr_nearby *nearby, qtr_cell cell) {
-  return (unsigned)((nearby->time[cell] + qtr_grid_cost(nearby->grid, cell)) % QTR_NEARBY_RING);
+/* When a cell that was reached comes up: as the search goes backwards, its cost is paid on the way out of it. */
+static qtr_steps time_up(const qtr_nearby *nearby, qtr_cell cell) {
+  return nearby->time[cell] + qtr_grid_cost(nearby->grid, cell);
 }
 
 /* Whether the cell is a listed one. A shortest way back enters the same cells but for the one at its end, so the times
  * there and back differ by what the two ends cost. */
 static bool reach(qtr_nearby *nearby, qtr_cell cell, qtr_steps time, qtr_cell from, uint32_t nth) {
   nearby->time[cell] = time;
-  const unsigned entry = ring_entry(nearby, cell);
-  nearby->link[cell] = nearby->ring[entry];
-  nearby->ring[entry] = cell;
+  ring_put(nearby->ring, nearby->link, cell, time_up(nearby, cell));
   nearby->reached[nth] = cell;
   if (nearby->slot[cell] == 0) return false;
   const unsigned cost = qtr_grid_cost(nearby->grid, cell);
@@ -70,12 +70,11 @@ static bool reach(qtr_nearby *nearby, qtr_cell cell, qtr_steps time, qtr_cell fr
   return true;
 }
 
-/* Reach what lies next to the cells that come up `now`; `reached` counts all so far. The number of listed ones. */
-static uint32_t pass(qtr_nearby *nearby, qtr_steps now, qtr_cell from, uint32_t *reached) {
-  qtr_cell cell = nearby->ring[now % QTR_NEARBY_RING];
+/* Reach what lies next to the cells that come up `now`, from `cell` on; `reached` counts all so far. The number of listed
+ * ones. */
+static uint32_t pass(qtr_nearby *nearby, qtr_cell cell, qtr_steps now, qtr_cell from, uint32_t *reached) {
   uint32_t found = 0;
   qtr_cell next[4];
-  nearby->ring[now % QTR_NEARBY_RING] = QTR_NO_CELL;
   while (cell != QTR_NO_CELL) {
     const qtr_cell after = nearby->link[cell];
     const int count = qtr_nearby_neighbours(nearby, cell, next);
@@ -89,20 +88,20 @@ static uint32_t pass(qtr_nearby *nearby, qtr_steps now, qtr_cell from, uint32_t 
 /* Undo what the search wrote, which costs no more than the search did. */
 static void forget(qtr_nearby *nearby, uint32_t reached) {
   for (uint32_t i = 0; i < reached; i++) {
-    nearby->ring[ring_entry(nearby, nearby->reached[i])] = QTR_NO_CELL;
+    ring_take(nearby->ring, time_up(nearby, nearby->reached[i]));
     nearby->time[nearby->reached[i]] = QTR_NEVER;
   }
   nearby->work += reached;
 }
 
 static void search(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
-  const qtr_cell *ring = nearby->ring;
   uint32_t reached = 1;
   unsigned empty = 0;
   uint32_t found = reach(nearby, from, 0, from, 0) ? 1 : 0;
-  for (qtr_steps now = 0; now <= limit && found < nearby->listed && empty < QTR_NEARBY_RING; now++) {
-    empty = ring[now % QTR_NEARBY_RING] == QTR_NO_CELL ? empty + 1 : 0;
-    found += pass(nearby, now, from, &reached);
+  for (qtr_steps now = 0; now <= limit && found < nearby->listed && empty < QTR_TRAVEL_RING; now++) {
+    const qtr_cell first = ring_take(nearby->ring, now);
+    empty = first == QTR_NO_CELL ? empty + 1 : 0;
+    found += pass(nearby, first, now, from, &reached);
   }
   forget(nearby, reached);
 }

@@ -465,7 +465,7 @@ static int check_places(const qtr_grid *grid, const qtr_regions_config *config) 
   if (!(config->likelihood > 0.0)) return QTR_OK;
   if (config->places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
   for (unsigned p = 0; p < config->places; p++) {
-    if (config->place[p] >= (uint32_t)grid->columns * grid->rows) return QTR_ERR_PLACE;
+    if (config->place[p] >= qtr_grid_cells(grid)) return QTR_ERR_PLACE;
     if (!(config->weight[p] > 0.0 && config->weight[p] <= DBL_MAX)) return QTR_ERR_WEIGHT;
   }
   return QTR_OK;

@@ -1,13 +1,13 @@
 #include "quarter/travel.h"
 
+#include "core/ring.h"
+
 /* A cell n is entered from any neighbour at the same price, so its neighbours all learn the same travel time, to_go(n)
  * + cost(n), and the first to tell a cell tells it the least. Each cell therefore waits in the ring once, under that
  * time, and is never moved. */
 static void wait_in_ring(qtr_field *field, const qtr_grid *grid, qtr_cell cell, qtr_steps to_go) {
-  const unsigned entry = (unsigned)((to_go + qtr_grid_cost(grid, cell)) % QTR_TRAVEL_RING);
   field->to_go[cell] = to_go;
-  field->link[cell] = field->ring[entry];
-  field->ring[entry] = cell;
+  ring_put(field->ring, field->link, cell, to_go + qtr_grid_cost(grid, cell));
 }
 
 static void settle_neighbours(qtr_field *field, const qtr_grid *grid, qtr_cell cell, qtr_steps told) {
@@ -27,16 +27,14 @@ int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   if (cells > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
   for (uint32_t cell = 0; cell < cells; cell++) field->to_go[cell] = QTR_NEVER;
-  for (int i = 0; i < QTR_TRAVEL_RING; i++) field->ring[i] = QTR_NO_CELL;
+  ring_clear(field->ring);
   if (qtr_grid_cost(grid, target) == 0) return QTR_ERR_ARGUMENT;
   wait_in_ring(field, grid, target, 0);
   /* Times rise by at most 255 from cell to cell: a whole turn of empty entries means that all is settled. */
   unsigned empty = 0;
   for (qtr_steps now = 0; empty < QTR_TRAVEL_RING; now++) {
-    const unsigned entry = (unsigned)(now % QTR_TRAVEL_RING);
-    empty = field->ring[entry] == QTR_NO_CELL ? empty + 1 : 0;
-    qtr_cell cell = field->ring[entry];
-    field->ring[entry] = QTR_NO_CELL;
+    qtr_cell cell = ring_take(field->ring, now);
+    empty = cell == QTR_NO_CELL ? empty + 1 : 0;
     while (cell != QTR_NO_CELL) {
       const qtr_cell after = field->link[cell];
       settle_neighbours(field, grid, cell, now);

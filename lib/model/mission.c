@@ -19,7 +19,7 @@ qtr_grid qtr_mission_grid(const qtr_mission *mission) {
 }
 
 static int check_dimensions(const qtr_mission *mission) {
-  const uint32_t cells = (uint32_t)mission->columns * mission->rows;
+  const uint32_t cells = qtr_mission_cells(mission);
   if (cells > QTR_MAX_CELLS || mission->places > QTR_MAX_PLACES || mission->seekers > QTR_MAX_SEEKERS)
     return QTR_ERR_LIMIT;
   if (cells == 0) return QTR_ERR_ARGUMENT;
@@ -33,7 +33,7 @@ static int check_aim(const qtr_mission *mission) {
 }
 
 static bool is_free(const qtr_mission *mission, qtr_cell cell) {
-  return cell < (uint32_t)mission->columns * mission->rows && mission->cost[cell] > 0;
+  return cell < qtr_mission_cells(mission) && mission->cost[cell] > 0;
 }
 
 static int check_place(const qtr_mission *mission, int place) {

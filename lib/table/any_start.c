@@ -14,11 +14,6 @@ static unsigned count_regions(const qtr_any_start_asked *asked) {
   return asked->regions != NULL ? asked->regions->count : 0;
 }
 
-static uint32_t count_cells(const qtr_mission *mission) {
-  const qtr_grid grid = qtr_mission_grid(mission);
-  return qtr_grid_cells(&grid);
-}
-
 int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked) {
   const qtr_mission *mission = asked->game->mission;
   const uint32_t starts = count_regions(asked) + asked->game->board.starts;
@@ -26,7 +21,7 @@ int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *a
   sizes->starts = (uint16_t)starts;
   sizes->start = starts * sizeof(qtr_cell);
   sizes->steps = 4u * ((size_t)mission->places + starts) * mission->places;
-  sizes->region = asked->regions != NULL ? count_cells(mission) * sizeof(uint16_t) : 0;
+  sizes->region = asked->regions != NULL ? qtr_mission_cells(mission) * sizeof(uint16_t) : 0;
   return QTR_OK;
 }
 
@@ -42,7 +37,7 @@ static void set_starts(qtr_any_start *any) {
 
 static void set_regions(qtr_any_start *any) {
   const qtr_mission *mission = any->asked.game->mission;
-  const uint32_t cells = any->regions > 0 ? count_cells(mission) : 0;
+  const uint32_t cells = any->regions > 0 ? qtr_mission_cells(mission) : 0;
   for (uint32_t cell = 0; cell < cells; cell++)
     any->blocks.region[cell] = mission->cost[cell] > 0 ? (uint16_t)any->asked.regions->of[cell] : QTR_POLICY_NO_REGION;
 }

@@ -17,9 +17,8 @@ int qtr_start_trials_begin_built(qtr_start_trials *trials, uint64_t seed, uint32
 }
 
 static qtr_cell draw_cell(qtr_start_trials *trials, const qtr_mission *mission) {
-  const qtr_grid grid = qtr_mission_grid(mission);
   qtr_cell cell;
-  do cell = (qtr_cell)qtr_lcg_below(&trials->random, qtr_grid_cells(&grid));
+  do cell = (qtr_cell)qtr_lcg_below(&trials->random, qtr_mission_cells(mission));
   while (mission->cost[cell] == 0);
   return cell;
 }

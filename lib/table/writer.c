@@ -12,19 +12,15 @@
 #include "robot/layout.h"
 
 static uint8_t encoding_of(const qtr_mission *mission) {
-  const uint32_t cells = (uint32_t)mission->columns * mission->rows;
+  const uint32_t cells = qtr_mission_cells(mission);
   for (uint32_t cell = 0; cell < cells; cell++)
     if (mission->cost[cell] > 1) return QTR_GRID_BYTES;
   return QTR_GRID_BITS;
 }
 
-static uint32_t cells_of(const qtr_table_content *content) {
-  return (uint32_t)content->mission->columns * content->mission->rows;
-}
-
 static table_layout layout_of(const qtr_table_content *content) {
   const qtr_board *board = content->board;
-  const table_dimensions dimensions = {.cells = cells_of(content),
+  const table_dimensions dimensions = {.cells = qtr_mission_cells(content->mission),
                                        .records = content->record_count,
                                        .places = board->places,
                                        .starts = board->starts,
@@ -104,7 +100,7 @@ static void write_weights(uint8_t *at, const qtr_table_content *content) {
 }
 
 static void write_grid(uint8_t *at, const qtr_mission *mission) {
-  const uint32_t cells = (uint32_t)mission->columns * mission->rows;
+  const uint32_t cells = qtr_mission_cells(mission);
   const uint8_t encoding = encoding_of(mission);
   for (uint32_t cell = 0; cell < cells; cell++) {
     if (encoding == QTR_GRID_BYTES)
@@ -115,7 +111,7 @@ static void write_grid(uint8_t *at, const qtr_mission *mission) {
 }
 
 static void write_regions(uint8_t *at, const qtr_table_content *content) {
-  for (uint32_t cell = 0; content->region != NULL && cell < cells_of(content); cell++)
+  for (uint32_t cell = 0; content->region != NULL && cell < qtr_mission_cells(content->mission); cell++)
     store16_le(at + 2 * cell, content->region[cell]);
 }
 

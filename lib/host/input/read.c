@@ -18,7 +18,7 @@
 /* The longest row of free cells side by side: its first cell and its length. */
 static unsigned longest_run(const input *in, qtr_cell *first) {
   const qtr_mission *mission = &in->mission;
-  const unsigned cells = (unsigned)mission->columns * mission->rows;
+  const unsigned cells = qtr_mission_cells(mission);
   unsigned longest = 0, length = 0;
   for (unsigned cell = 0; cell < cells; cell++) {
     length = mission->cost[cell] == 0 ? 0 : cell % mission->columns == 0 ? 1 : length + 1;

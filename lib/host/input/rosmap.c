@@ -219,7 +219,7 @@ static bool any_free(const uint8_t *blocked, size_t count) {
 /* Grow and coarsen. -1 with *fault set, also where nothing is left free: then who took the last of it is named. */
 static int fill_cells(input *in, pixels *map, const rosmap_header *header, const rosmap_wish *wish, fault *why) {
   qtr_mission *mission = &in->mission;
-  const size_t count = (size_t)map->width * (size_t)map->height, cells = (size_t)mission->columns * mission->rows;
+  const size_t count = (size_t)map->width * (size_t)map->height, cells = qtr_mission_cells(mission);
   if (!any_free(map->blocked, count))
     return file_fault(why, header->image, 0, 0,
                       "no pixel is free by the thresholds of %s; check them, 'negate', and that it is the right image",

@@ -124,7 +124,7 @@ static int check_weights(const input *in, fault *why) {
 
 /* A map without a single free cell needs another mend than its places. */
 static int check_free(const input *in, fault *why) {
-  const size_t cells = (size_t)in->mission.columns * in->mission.rows;
+  const size_t cells = qtr_mission_cells(&in->mission);
   if (memchr(in->mission.cost, 1, cells) != NULL) return 0;
   for (size_t cell = 0; cell < cells; cell++)
     if (in->mission.cost[cell] != 0) return 0;

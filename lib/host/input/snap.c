@@ -71,7 +71,7 @@ static size_t spread(uint8_t *ground, const qtr_mission *mission, qtr_cell cell,
 /* -1 with no memory. */
 static int mark_ground(work *w) {
   const qtr_mission *mission = &w->in->mission;
-  const size_t cells = (size_t)mission->columns * mission->rows;
+  const size_t cells = qtr_mission_cells(mission);
   qtr_cell *stack = malloc(cells * sizeof *stack);
   size_t top = 0;
   w->ground = calloc(cells, 1);
@@ -107,7 +107,7 @@ static bool holds_place(const input *in, qtr_cell cell) {
 static void find_nearest(const work *w, site *it) {
   const qtr_mission *mission = &w->in->mission;
   const frame_point from = frame_locate(w->in, it->position);
-  const size_t cells = (size_t)mission->columns * mission->rows;
+  const size_t cells = qtr_mission_cells(mission);
   double least = 0.0;
   for (size_t cell = 0; cell < cells; cell++) {
     if (it->place ? w->ground[cell] == 0 : mission->cost[cell] == 0) continue;

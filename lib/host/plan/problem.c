@@ -105,7 +105,7 @@ int problem_measure(problem *p, const plan_config *config, fault *why) {
 }
 
 uint32_t problem_free_cells(const problem *p) {
-  const uint32_t cells = (uint32_t)p->in.mission.columns * p->in.mission.rows;
+  const uint32_t cells = qtr_mission_cells(&p->in.mission);
   uint32_t count = 0;
   for (uint32_t cell = 0; cell < cells; cell++) count += p->in.mission.cost[cell] > 0;
   return count;
