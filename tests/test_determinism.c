@@ -72,7 +72,7 @@ static void test_certificates_repeat_at_every_step(void) {
 static uint32_t table_hash(void) {
   memset(table_bytes + QTR_POLICY_PRODUCER, 0, 4);
   memset(table_bytes + QTR_POLICY_CRC, 0, 4);
-  return crc32_add(0, table_bytes, table_size);
+  return qtr_crc32_add(0, table_bytes, table_size);
 }
 
 typedef struct {

@@ -55,8 +55,8 @@ static inline double qtr_game_worth(const qtr_game *game, unsigned place, qtr_st
 /* The first state. */
 void qtr_game_start(const qtr_game *game, qtr_state *state);
 
-/* `seeker`, whose turn it is, makes an allowed choice (of others nothing comes: qtr_joint_choose()). No time passes. Returns the reward of a place at no distance, visited at once:
- * only a place on a start cell is. */
+/* `seeker`, whose turn it is, makes an allowed choice (of others nothing comes: qtr_joint_choose()). No time passes. Returns
+ * the reward of a place at no distance, visited at once: only a place on a start cell is. */
 double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint16_t choice);
 
 /* Let time pass until somebody is to choose or the game is over: Q(s,a) = reward + discount * max Q(s',a') (Eq. 4.7). */

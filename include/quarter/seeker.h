@@ -1,7 +1,7 @@
 /* The executor: what one robot does, from the table and its own sensors alone.
  *
- * Every robot plays the whole joint game forward in nominal time from what all know: the table and the
- * deployment (starts, places cleared beforehand). Its own choices in that game are its route, so nothing that it does depends on another's real
+ * Every robot plays the whole joint game forward in nominal time from what all know: the table and the deployment (starts,
+ * places cleared beforehand). Its own choices in that game are its route, so nothing that it does depends on another's real
  * progress. When its territory is finished and no termination was heard, it goes on with its neighbour's (seeker i + 1,
  * then i + 2, ... mod k), in that one's order: any survivor thus scans every place that it can reach.
  *
@@ -46,8 +46,8 @@ typedef struct {
 } qtr_seeker;
 
 /* Robot `self` (0..seekers-1) at its start. `deployment` (copied) is the same on every robot; NULL: the mission's own
- * starts, nothing cleared. The open policy must outlive the seeker. QTR_OK; with nothing written QTR_ERR_ARGUMENT for a robot that is
- * none, QTR_ERR_CONFIG if the caller was built under other sizes. */
+ * starts, nothing cleared. The open policy must outlive the seeker. QTR_OK; with nothing written QTR_ERR_ARGUMENT for a
+ * robot that is none, QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_seeker_init(seeker, policy, self, deployment)                                                              \
   qtr_seeker_init_built(seeker, policy, self, deployment, QTR_CONFIG_ID)
 int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_deployment *deployment,

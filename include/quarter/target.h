@@ -40,8 +40,8 @@ void qtr_targets_places(qtr_targets *targets, const qtr_game *game);
  * mission's watch: the targets are of no use then. */
 int qtr_targets_spots(qtr_targets *targets, const qtr_game *game, const qtr_spots_config *config, uint8_t order);
 
-/* The rooms below are the innermost of the learner's loops: nodes, places and targets, which are the game's, are not
- * checked. */
+/* The innermost of the learner's loops call the functions below: nodes, places and targets, which must be the game's, are
+ * not checked. */
 
 /* The first place of a target's tour from a node; QTR_STAND_DOWN if there is no way. */
 static inline uint16_t qtr_targets_first(const qtr_targets *targets, unsigned node, unsigned target) {

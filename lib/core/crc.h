@@ -5,6 +5,6 @@
 #include <stdint.h>
 
 /* Continue a checksum over `size` more bytes; begin with 0. */
-uint32_t crc32_add(uint32_t crc, const uint8_t *bytes, uint32_t size);
+uint32_t qtr_crc32_add(uint32_t crc, const uint8_t *bytes, uint32_t size);
 
 #endif

@@ -4,7 +4,6 @@
 
 #include "learn/role.h"
 
-/* The best game's worth and a share of the gap asked for. */
 double qtr_certificate_within(const qtr_learner *learner, double share) {
   const double gap = learner->config.gap > QTR_LEAST_GAP ? learner->config.gap : QTR_LEAST_GAP;
   return learner->best.score.worth + share * gap * fabs(learner->best.score.worth);

@@ -29,7 +29,6 @@ static void add_candidate(qtr_learner *learner, const qtr_situation *state, int 
   c->q[i] = c->at_once[i] + entry_value(learner, &after, &c->key[i]);
 }
 
-/* Q of all that a seeker may choose, the places in their order, standing down last. */
 void qtr_episode_list(qtr_learner *learner, const qtr_situation *state, int seeker) {
   const qtr_board *board = &learner->environment->board;
   qtr_places choices;
@@ -40,7 +39,6 @@ void qtr_episode_list(qtr_learner *learner, const qtr_situation *state, int seek
   if (may_stand_down) add_candidate(learner, state, seeker, QTR_STAND_DOWN);
 }
 
-/* The candidate with the largest Q, the first among equals. */
 unsigned qtr_episode_greedy(const qtr_candidates *c) {
   unsigned best = 0;
   for (unsigned i = 1; i < c->count; i++)
@@ -64,7 +62,6 @@ void qtr_episode_note(qtr_learner *learner, unsigned picked) {
   trace->at_once = c->at_once[picked];
 }
 
-/* Make the choice noted last, and let time pass. */
 void qtr_episode_act(qtr_learner *learner, qtr_situation *state, int seeker, uint16_t choice) {
   qtr_trace *trace = &learner->trace[learner->play.choices];
   qtr_environment_choose(learner->environment, state, seeker, choice);
@@ -73,7 +70,6 @@ void qtr_episode_act(qtr_learner *learner, qtr_situation *state, int seeker, uin
   qtr_play_add(&learner->play, seeker, choice);
 }
 
-/* Eq. 4.7, for the entry of a choice: `value` is the largest Q of the state that it led to. */
 double qtr_episode_backup(const qtr_trace *trace, double value) {
   return trace->outcome.reward + trace->outcome.discount * value;
 }

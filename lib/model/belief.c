@@ -130,7 +130,7 @@ int qtr_belief_save(const qtr_belief *belief, void *bytes, uint32_t room) {
   uint8_t *at = out + QTR_BELIEF_HEADER_BYTES;
   for (unsigned p = 0; p < belief->places; p++, at += 8) store_double(at, belief->prior[p]);
   for (unsigned p = 0; p < belief->places; p++, at += 8) store_double(at, belief->found[p]);
-  store32_le(out + QTR_BELIEF_CRC, crc32_add(0, out + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES));
+  store32_le(out + QTR_BELIEF_CRC, qtr_crc32_add(0, out + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES));
   return (int)size;
 }
 
@@ -143,7 +143,7 @@ static int check_frame(const uint8_t *bytes, uint32_t size) {
   const uint32_t whole = load32_le(bytes + QTR_BELIEF_SIZE);
   if (whole > size) return QTR_ERR_TRUNCATED;
   if (whole != size) return QTR_ERR_CORRUPT;
-  const uint32_t crc = crc32_add(0, bytes + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES);
+  const uint32_t crc = qtr_crc32_add(0, bytes + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES);
   return crc == load32_le(bytes + QTR_BELIEF_CRC) ? QTR_OK : QTR_ERR_CHECKSUM;
 }
 

@@ -112,7 +112,7 @@ uint32_t qtr_policy_digest(const qtr_policy *policy) {
       choice = qtr_policy_play(policy, &joint, seeker, &now, NULL);
       store16_le(line + 2, choice);
       store32_le(line + 4, now);
-      digest = crc32_add(digest, line, sizeof line);
+      digest = qtr_crc32_add(digest, line, sizeof line);
     }
   }
   return digest;

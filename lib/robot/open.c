@@ -17,7 +17,7 @@ static int check_frame(const uint8_t *bytes, uint32_t size) {
   const uint32_t whole = load32_le(bytes + QTR_POLICY_SIZE);
   if (whole > size) return QTR_ERR_TRUNCATED;
   if (whole != size) return QTR_ERR_CORRUPT;
-  const uint32_t crc = crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS);
+  const uint32_t crc = qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS);
   return crc == load32_le(bytes + QTR_POLICY_CRC) ? QTR_OK : QTR_ERR_CHECKSUM;
 }
 

@@ -130,7 +130,7 @@ static void write_sections(uint8_t *bytes, const table_layout *layout, const qtr
 /* ---- the whole ---- */
 
 static void seal(uint8_t *bytes, uint32_t size) {
-  store32_le(bytes + QTR_POLICY_CRC, crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
+  store32_le(bytes + QTR_POLICY_CRC, qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
 }
 
 int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32_t size) {

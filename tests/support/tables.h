@@ -96,7 +96,7 @@ static inline void table_draw_regions(void) {
 
 /* Make the checksum right again. */
 static inline void table_seal(uint8_t *bytes, uint32_t size) {
-  store32_le(bytes + QTR_POLICY_CRC, crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
+  store32_le(bytes + QTR_POLICY_CRC, qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
 }
 
 /* Make checksum and digest right for what the bytes say now, as a forger would, and open. */

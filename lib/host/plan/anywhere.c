@@ -185,6 +185,7 @@ uint32_t anywhere_learn(study *s, const plan_config *config, uint8_t **bytes, an
   b.alone = memory_take(sizeof *b.alone, why);
   if (b.alone == NULL) return 0;
   memcpy(&b.alone->p.in.mission, &s->p.in.mission, sizeof b.alone->p.in.mission);
+  memcpy(b.alone->p.in.path, s->p.in.path, sizeof b.alone->p.in.path); /* for what may be said of it */
   const uint32_t size = learn(&b, bytes, report, why);
   free(b.alone);
   free(b.blocks.entries);
