@@ -192,14 +192,14 @@ static void test_rest_too_far_away_to_discount_is_played_for_time(void) {
   const qtr_cell far = 0;
   const qtr_cell near = 9;
   mission_draw(&mission, "S........1");
-  mission.gamma = 1e-6;
+  mission.aim.gamma = 1e-6;
   table_mission = mission;
   qtr_rest_make(&table_mission, number, &mission, &far, NULL);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_rest_game(&table_game, &table_mission, &table_field));
-  TEST_ASSERT_EQUAL_UINT8(QTR_TIME, table_mission.objective);
+  TEST_ASSERT_EQUAL_UINT8(QTR_TIME, table_mission.aim.kind);
   qtr_rest_make(&table_mission, number, &mission, &near, NULL);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_rest_game(&table_game, &table_mission, &table_field));
-  TEST_ASSERT_EQUAL_UINT8(QTR_DISCOUNTED, table_mission.objective);
+  TEST_ASSERT_EQUAL_UINT8(QTR_DISCOUNTED, table_mission.aim.kind);
 }
 
 /* ---- what robots find ---- */

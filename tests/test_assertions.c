@@ -72,7 +72,7 @@ static void make_a_key_longer_than_was_measured(void) {
   qtr_key_shape shape = policy.board.keys;
   shape.bits = 3;
   set_out();
-  qtr_key_make(&key, &shape, &joint.visited, joint.node, joint.remaining);
+  qtr_key_make(&key, &shape, &joint.visited, 0, joint.node, joint.remaining);
 }
 
 static void measure_keys_of_nothing(void) {

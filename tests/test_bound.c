@@ -91,8 +91,8 @@ static void expect_bound_above(const brute_game *played, const brute_state *afte
   states_seen++;
   if (best == -HUGE_VAL) return; /* places were given up: the core allows no such state */
   joint_of(&joint, &unvisited, after);
-  const double from_now = mission.objective == QTR_TIME ? best + (double)after->now * unvisited
-                                                        : best / pow(mission.gamma, (double)after->now);
+  const double from_now = mission.aim.kind == QTR_TIME ? best + (double)after->now * unvisited
+                                                       : best / pow(mission.aim.gamma, (double)after->now);
   const double most = bound_of(&joint, (qtr_steps)after->now, unvisited);
   if (isnan(from_now) || isinf(from_now)) return;
   if (most - from_now < tightest) tightest = most - from_now;
@@ -155,7 +155,7 @@ static void test_bound_holds_over_long_times(void) {
     const bool neighbours = random_chance(&random, 50);
     for (unsigned cell = 0; cell < mission.columns; cell++)
       mission.cost[cell] = neighbours && random_chance(&random, 30) ? 1 : (uint8_t)random_in(&random, 200, 255);
-    mission.gamma = random_chance(&random, 50) ? 0.9999 : 0.99;
+    mission.aim.gamma = random_chance(&random, 50) ? 0.9999 : 0.99;
     set_up_game();
     check_game(&random);
     coarse += bound.slot_steps > 1;
@@ -193,7 +193,7 @@ static void test_bound_holds_under_arbitrary_prices(void) {
     qtr_bound_init(&bound, &ground, visit);
     for (unsigned place = 0; place < mission.places; place++)
       bound.price[place] =
-          mission.objective == QTR_TIME ? 20.0 * random_unit(&random) - 15.0 : 4.0 * random_unit(&random);
+          mission.aim.kind == QTR_TIME ? 20.0 * random_unit(&random) - 15.0 : 4.0 * random_unit(&random);
     qtr_bound_settle(&bound);
     look_at_all_states();
   }
@@ -208,7 +208,7 @@ static void test_one_seeker_and_one_place_are_bounded_exactly(void) {
   set_up_game();
   qtr_bound_init(&bound, &ground, visit);
   TEST_ASSERT_TRUE(fabs(bound.upper - 10.0 * 0.99 * 0.99) < 1e-12);
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   set_up_game();
   qtr_bound_init(&bound, &ground, visit);
   TEST_ASSERT_TRUE(fabs(bound.upper + 3.0) < 1e-12);
@@ -219,7 +219,7 @@ static void test_prices_settle_on_the_optimum_of_two_seekers_apart(void) {
   qtr_steps visit[QTR_MAX_PLACES] = {2, 3};
   snprintf(case_note, sizeof case_note, "by hand");
   mission_draw(&mission, "S.1......1..S");
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   set_up_game();
   qtr_bound_init(&bound, &ground, visit);
   while (qtr_bound_improve(&bound, -2.5)) {}
@@ -240,7 +240,7 @@ static void test_visits_under_way_are_counted_to_the_step(void) {
   TEST_ASSERT_TRUE(fabs(bound_of(&joint, 0, 1.0) - 10.0 * pow(0.99, 3)) < 1e-12);
   /* The same 7 steps into the game: what is to come is worth as much, counted from then. */
   TEST_ASSERT_TRUE(fabs(bound_of(&joint, 7, 1.0) - 10.0 * pow(0.99, 3)) < 1e-9);
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   set_up_game();
   qtr_bound_init(&bound, &ground, visit);
   TEST_ASSERT_TRUE(fabs(bound_of(&joint, 7, 1.0) + 4.0) < 1e-9);
@@ -251,7 +251,7 @@ static void test_worth_that_underflows_is_still_a_number(void) {
   qtr_joint joint;
   snprintf(case_note, sizeof case_note, "by hand");
   mission_draw(&mission, "S1....1....1");
-  mission.gamma = 0.5;
+  mission.aim.gamma = 0.5;
   set_up_game();
   visit[0] = 1;
   visit[1] = 6;

@@ -106,7 +106,7 @@ static void test_drawings_give_the_golden_tables(void) {
     snprintf(case_note, sizeof case_note, "drawing %u", i);
     mission_draw(&table_mission, drawing->rows);
     if (drawing->seekers > 0) mission_crew(&table_mission, drawing->seekers);
-    table_mission.objective = drawing->objective;
+    table_mission.aim.kind = drawing->objective;
     table_mission.rule = drawing->rule;
     learn_and_export(1000, 0x5A);
     others += is_other_hash(drawing->hash);
@@ -123,7 +123,7 @@ static void test_hundreds_of_episodes_give_the_golden_table(void) {
     snprintf(case_note, sizeof case_note, "episodes, objective %u", objective);
     qtr_mission_default(&table_mission);
     table_mission.columns = table_mission.rows = 30;
-    table_mission.objective = objective;
+    table_mission.aim.kind = objective;
     memset(table_mission.cost, 1, 900);
     for (; table_mission.places < 13; table_mission.places++) {
       table_mission.place[table_mission.places] = (qtr_cell)(table_mission.places * 69 + random_below(&random, 69));

@@ -56,8 +56,8 @@ static void set_up_brute(void) {
   double sum = 0.0;
   brute = (brute_game){.places = mission.places,
                        .seekers = mission.seekers,
-                       .time = mission.objective == QTR_TIME,
-                       .gamma = mission.gamma};
+                       .time = mission.aim.kind == QTR_TIME,
+                       .gamma = mission.aim.gamma};
   for (int p = 0; p < brute.places; p++) sum += mission.weight[p];
   for (int p = 0; p < brute.places; p++) {
     brute.probability[p] = mission.weight[p] / sum;
@@ -102,7 +102,7 @@ static void draw_case(test_random *random) {
   mission.seekers = (uint8_t)random_in(random, 1, 2);
   for (unsigned i = 0; i < mission.seekers; i++)
     mission.start[i] = random_chance(random, 40) ? 0 : (qtr_cell)random_below(random, cells);
-  mission.gamma = gammas[random_below(random, 10)];
+  mission.aim.gamma = gammas[random_below(random, 10)];
 }
 
 static void expect_true_certificate(void) {
@@ -123,7 +123,7 @@ static void test_every_discount_and_distance_is_certified_truly_or_refused(void)
     draw_case(&random);
     set_up_brute();
     const long nearest = nearest_way();
-    const bool lost = nearest > 1 && pow(mission.gamma, (double)(nearest - 1)) < QTR_OBJECTIVE_LEAST_POWER;
+    const bool lost = nearest > 1 && pow(mission.aim.gamma, (double)(nearest - 1)) < QTR_OBJECTIVE_LEAST_POWER;
     const int status = begin();
     TEST_ASSERT_EQUAL_INT_MESSAGE(lost ? QTR_ERR_DISCOUNT : QTR_OK, status, case_note);
     refused += lost;
@@ -143,9 +143,9 @@ static void test_expected_time_is_never_refused(void) {
   put_place(LONGEST - 1, 1);
   put_place(LONGEST / 2, 2);
   mission.seekers = 1;
-  mission.gamma = 0.1;
+  mission.aim.gamma = 0.1;
   TEST_ASSERT_EQUAL_INT(QTR_ERR_DISCOUNT, begin());
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   TEST_ASSERT_EQUAL_INT(QTR_OK, begin());
   TEST_ASSERT_EQUAL_INT(QTR_CERTIFIED, learn());
   TEST_ASSERT_EQUAL_UINT16(0, certificate.negligible_places);
@@ -158,7 +158,7 @@ static void test_refusal_names_the_nearest_place(void) {
   put_place(200, 1);
   put_place(500, 1);
   mission.seekers = 1;
-  mission.gamma = 0.5;
+  mission.aim.gamma = 0.5;
   TEST_ASSERT_EQUAL_INT(QTR_ERR_DISCOUNT, qtr_game_init(&game, &mission, &field, &culprit));
   TEST_ASSERT_EQUAL_INT(1, culprit);
 }
@@ -171,12 +171,12 @@ static void test_what_is_discounted_away_goes_by_expected_time_and_is_said(void)
   for (unsigned place = 0; place < 5; place++) put_place((qtr_cell)(500 + 110 * place), place + 2);
   mission.start[0] = mission.start[1] = 0;
   mission.seekers = 2;
-  mission.gamma = 0.5;
+  mission.aim.gamma = 0.5;
   TEST_ASSERT_EQUAL_INT(QTR_OK, begin());
   TEST_ASSERT_EQUAL_INT(QTR_CERTIFIED, learn());
   TEST_ASSERT_EQUAL_UINT16(5, certificate.negligible_places);
   const double found = certificate.expected_time;
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   TEST_ASSERT_EQUAL_INT(QTR_OK, begin());
   TEST_ASSERT_EQUAL_INT(QTR_CERTIFIED, learn());
   TEST_ASSERT_DOUBLE_WITHIN(1e-9 * found, certificate.expected_time, found);
@@ -189,7 +189,7 @@ static void test_hardly_likely_place_is_counted_as_negligible_under_either_objec
     put_place(17, 1e-13);
     mission.start[0] = 10;
     mission.seekers = 1;
-    mission.objective = objective;
+    mission.aim.kind = objective;
     TEST_ASSERT_EQUAL_INT(QTR_OK, begin());
     TEST_ASSERT_EQUAL_INT(QTR_CERTIFIED, learn());
     TEST_ASSERT_EQUAL_UINT16(1, certificate.negligible_places);

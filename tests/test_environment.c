@@ -180,7 +180,7 @@ static void test_the_best_policy_of_the_spots_is_found(void) {
     qtr_learner_certificate(&learner, &certificate);
     for (unsigned place = 0; place < mission.places; place++) visit[place] = QTR_NEVER;
     const double best = try_spots(visit, 0, 0, (unsigned)mission.places + game.board.start_of[0], 0);
-    const double found = mission.objective == QTR_TIME ? -certificate.expected_time : certificate.value;
+    const double found = mission.aim.kind == QTR_TIME ? -certificate.expected_time : certificate.value;
     TEST_ASSERT_TRUE_MESSAGE(fabs(found - best) <= 2e-5 * fabs(best) + 1e-12, case_note);
     TEST_ASSERT_TRUE_MESSAGE(learner.ground_upper >= best - 1e-9 * fabs(best), case_note);
     TEST_ASSERT_TRUE_MESSAGE(learner.upper >= best - 1e-9 * fabs(best), case_note);
@@ -298,7 +298,7 @@ static void test_exploring_finds_the_optimum_that_the_certificate_proves(void) {
     qtr_learner_certificate(&learner, &explored);
     const double slack = 2e-5 * fabs(proven.objective);
     TEST_ASSERT_TRUE_MESSAGE(fabs(explored.objective - proven.objective) <= slack, case_note);
-    const double max_q = mission.objective == QTR_TIME ? -explored.max_q : explored.max_q;
+    const double max_q = mission.aim.kind == QTR_TIME ? -explored.max_q : explored.max_q;
     TEST_ASSERT_TRUE_MESSAGE(fabs(max_q - proven.objective) <= slack + 1e-6, case_note);
   }
 }

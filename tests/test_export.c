@@ -44,7 +44,7 @@ static void test_size_by_hand(void) {
 static void test_header_says_what_was_learnt(void) {
   qtr_certificate certificate;
   mission_draw(&table_mission, "1..S..2/..1...S");
-  table_mission.objective = QTR_TIME;
+  table_mission.aim.kind = QTR_TIME;
   table_mission.frame.cell_size_um = 50000;
   table_mission.frame.origin_x_um = -1234567;
   table_mission.frame.origin_y_um = 7654321;

@@ -94,7 +94,7 @@ static void test_worth_of_a_visit(void) {
   near(10.0 * 0.25, qtr_game_worth(&game, 0, 1));
   near(10.0 * 0.25 * 0.99, qtr_game_worth(&game, 0, 2));
   near(10.0 * 0.75 * pow(0.99, 99), qtr_game_worth(&game, 1, 100));
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   set_up();
   near(0.0, qtr_game_worth(&game, 0, 0));
   near(-25.0, qtr_game_worth(&game, 0, 100));
@@ -109,7 +109,7 @@ static void test_score_gives_both_objectives(void) {
   near(10.0 * (0.25 * 0.99 * 0.99 + 0.75 * 0.99), score.value);
   near(0.25 * 3 + 0.75 * 2, score.expected_time);
   near(score.value, score.worth);
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   set_up();
   qtr_game_score(&game, visit, &score);
   near(-score.expected_time, score.worth);
@@ -136,7 +136,7 @@ static void test_outcome_is_the_backup_of_one_choice(void) {
 /* The same under expected time: W = tau * unvisited mass + W'. */
 static void test_outcome_under_expected_time(void) {
   mission_draw(&mission, "1.S..3");
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   set_up();
   qtr_game_choose(&game, &state, 0, 0);
   qtr_game_pass(&game, &state, &outcome);
@@ -180,7 +180,7 @@ static void test_place_on_the_start_is_rewarded_at_once(void) {
   near(7.5, qtr_game_choose(&game, &state, 0, 1));
   near(0.25, state.unvisited);
   TEST_ASSERT_EQUAL_UINT32(0, state.now);
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   set_up();
   near(0.0, qtr_game_choose(&game, &state, 0, 1));
 }
@@ -203,7 +203,7 @@ static void test_powers_go_on_beyond_those_kept_ready(void) {
                                 100000,
                                 1000000};
   mission_draw(&mission, "1S");
-  mission.gamma = 0.9999;
+  mission.aim.gamma = 0.9999;
   set_up();
   for (unsigned i = 0; i < sizeof n / sizeof n[0]; i++) {
     const double expected = pow(0.9999, n[i]);
@@ -213,7 +213,7 @@ static void test_powers_go_on_beyond_those_kept_ready(void) {
 
 static void test_powers_fall_without_a_break(void) {
   mission_draw(&mission, "1S");
-  mission.gamma = 0.9999;
+  mission.aim.gamma = 0.9999;
   set_up();
   for (qtr_steps n = 1; n < 5 * QTR_OBJECTIVE_POWERS; n++)
     TEST_ASSERT_TRUE(qtr_objective_power(&game.objective, n) < qtr_objective_power(&game.objective, n - 1));
@@ -221,7 +221,7 @@ static void test_powers_fall_without_a_break(void) {
 
 static void test_powers_underflow_to_nothing(void) {
   mission_draw(&mission, "1S");
-  mission.gamma = 0.5;
+  mission.aim.gamma = 0.5;
   set_up();
   TEST_ASSERT_TRUE(qtr_objective_power(&game.objective, 4000) == 0.0);
   TEST_ASSERT_TRUE(qtr_objective_power(&game.objective, 4000000000u) == 0.0);

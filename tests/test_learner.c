@@ -41,20 +41,20 @@ static void begin(void) {
  * bound under random prices, valid and weak. */
 static void weaken(test_random *random) {
   for (unsigned place = 0; place < mission.places; place++)
-    learner.bound.price[place] = mission.objective == QTR_TIME ? 0.0 : 12.0 * random_unit(random);
+    learner.bound.price[place] = mission.aim.kind == QTR_TIME ? 0.0 : 12.0 * random_unit(random);
   qtr_bound_settle(&learner.bound);
   learner.phase = QTR_PHASE_EPISODES;
-  learner.upper = mission.objective == QTR_TIME ? 0.0 : 1e6;
+  learner.upper = mission.aim.kind == QTR_TIME ? 0.0 : 1e6;
   learner.ground_upper = learner.upper;
   learner.best.score.value *= 1e-3;
   learner.best.score.expected_time = 1e9;
-  learner.best.score.worth = mission.objective == QTR_TIME ? -1e9 : learner.best.score.value;
+  learner.best.score.worth = mission.aim.kind == QTR_TIME ? -1e9 : learner.best.score.value;
 }
 
 /* ---- certificates ---- */
 
 static double maximised(double objective) {
-  return mission.objective == QTR_TIME ? -objective : objective;
+  return mission.aim.kind == QTR_TIME ? -objective : objective;
 }
 
 static void expect_no_worse(const qtr_certificate *now, const qtr_certificate *before) {
@@ -90,7 +90,7 @@ static void expect_truth(const qtr_certificate *certificate, double optimum) {
   if (certificate->certified)
     TEST_ASSERT_TRUE_MESSAGE(optimum - maximised(certificate->objective) <= config.gap * certificate->objective + slack,
                              case_note);
-  const double figure = mission.objective == QTR_TIME ? certificate->expected_time : certificate->value;
+  const double figure = mission.aim.kind == QTR_TIME ? certificate->expected_time : certificate->value;
   TEST_ASSERT_TRUE_MESSAGE(figure == certificate->objective, case_note);
 }
 
@@ -177,8 +177,8 @@ static void test_worth_that_underflows_leaves_the_certificate_true(void) {
     for (unsigned cell = 0; cell < (unsigned)mission.columns * mission.rows; cell++)
       if (mission.cost[cell] > 0 && random_chance(&random, 50))
         mission.cost[cell] = (uint8_t)random_in(&random, 1, 255);
-    mission.objective = QTR_DISCOUNTED;
-    mission.gamma = 0.01 + 0.6 * random_unit(&random);
+    mission.aim.kind = QTR_DISCOUNTED;
+    mission.aim.gamma = 0.01 + 0.6 * random_unit(&random);
     brute_set_up(&brute, &mission);
     if (qtr_game_init(&game, &mission, &field, NULL) == QTR_ERR_DISCOUNT) continue;
     begin();
@@ -201,7 +201,7 @@ static void test_long_corridors_are_certified(void) {
     mission_random(&mission, &random, (mission_size){100, 1, 5, 2});
     for (unsigned cell = 0; cell < mission.columns; cell++)
       mission.cost[cell] = random_chance(&random, 30) ? 1 : (uint8_t)random_in(&random, 200, 255);
-    mission.gamma = random_chance(&random, 50) ? 0.9999 : 0.999;
+    mission.aim.gamma = random_chance(&random, 50) ? 0.9999 : 0.999;
     brute_set_up(&brute, &mission);
     begin();
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_CERTIFIED, learn(&certificate), case_note);
@@ -329,7 +329,7 @@ static void test_everything_at_the_start_is_found_at_once(void) {
   for (uint8_t objective = 0; objective < 2; objective++) {
     mission_draw(&mission, "S1");
     mission.start[0] = mission.place[0];
-    mission.objective = objective;
+    mission.aim.kind = objective;
     begin();
     TEST_ASSERT_EQUAL_INT(QTR_CERTIFIED, learn(&certificate));
     TEST_ASSERT_TRUE(certificate.value == 10.0);

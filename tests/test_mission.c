@@ -31,9 +31,9 @@ static void test_sound_mission_passes(void) {
 static void test_defaults_are_those_documented(void) {
   memset(&mission, 0xA5, sizeof mission);
   qtr_mission_default(&mission);
-  TEST_ASSERT_EQUAL(QTR_DISCOUNTED, mission.objective);
+  TEST_ASSERT_EQUAL(QTR_DISCOUNTED, mission.aim.kind);
   TEST_ASSERT_EQUAL(QTR_RULE_FREE, mission.rule);
-  TEST_ASSERT_TRUE(mission.gamma == 0.99);
+  TEST_ASSERT_TRUE(mission.aim.gamma == 0.99);
   TEST_ASSERT_EQUAL(0, mission.places);
   TEST_ASSERT_EQUAL(0, mission.seekers);
   TEST_ASSERT_EQUAL_UINT32(0, mission.frame.cell_size_um);
@@ -116,13 +116,13 @@ static void test_smallest_and_greatest_weights_pass(void) {
 static void test_gamma_outside_0_to_1(void) {
   static const double wrong[] = {0.0, 1.0, -0.5, 1.5, (double)NAN, (double)INFINITY};
   for (unsigned i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-    mission.gamma = wrong[i];
+    mission.aim.gamma = wrong[i];
     expect(QTR_ERR_ARGUMENT, 0);
   }
 }
 
 static void test_objective_or_rule_that_is_none(void) {
-  mission.objective = 2;
+  mission.aim.kind = 2;
   expect(QTR_ERR_ARGUMENT, 0);
   setUp();
   mission.rule = 2;

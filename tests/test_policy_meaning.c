@@ -180,7 +180,7 @@ static void expect_double(int status, uint32_t offset, double value) {
 
 static void make_certified(uint8_t objective) {
   mission_draw(&table_mission, "1..S..2/.#~..1./3.....S");
-  table_mission.objective = objective;
+  table_mission.aim.kind = objective;
   table_learn(1000);
   table_export();
   take();

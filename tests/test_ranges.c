@@ -352,7 +352,7 @@ static void test_board_of_any_numbers_is_refused_or_playable(void) {
     TEST_ASSERT_EQUAL_UINT_MESSAGE(board.places + board.starts, qtr_board_nodes(&board), case_note);
     qtr_joint_start(&joint, &board, NULL, NULL);
     qtr_joint_key(&key[0], &joint, &board);
-    qtr_key_make(&key[1], &again, &joint.visited, joint.node, joint.remaining);
+    qtr_key_make(&key[1], &again, &joint.visited, 0, joint.node, joint.remaining);
     TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&key[0], &key[1], sizeof key[0], case_note);
   }
 }
@@ -389,6 +389,14 @@ static void test_executor_takes_any_words(void) {
       TEST_ASSERT_EQUAL_MESSAGE(target != QTR_STAND_DOWN, qtr_seeker_field(&seeker, &table_field), case_note);
       while (qtr_seeker_announce(&seeker, &territory)) TEST_ASSERT_LESS_THAN(policy.board.seekers, territory);
     }
+  }
+}
+
+static void test_objectives_are_two(void) {
+  for (unsigned number = 0; number < 1000; number++) {
+    test_random random = random_case("objectives", number);
+    const uint8_t objective = (uint8_t)any_number(&random, 3);
+    TEST_ASSERT_EQUAL_MESSAGE(objective < 2, qtr_claim_knows(objective), case_note);
   }
 }
 
@@ -463,6 +471,7 @@ int main(void) {
   RUN_TEST(test_starts_that_are_none_are_refused);
   RUN_TEST(test_board_of_any_numbers_is_refused_or_playable);
   RUN_TEST(test_executor_takes_any_words);
+  RUN_TEST(test_objectives_are_two);
   RUN_TEST(test_status_of_any_number_has_a_text);
   RUN_TEST(test_every_public_function_of_the_robot_side_is_called_here);
   return UNITY_END();

@@ -30,7 +30,7 @@ static void expect_valid(void) {
   qtr_certificate certificate;
   qtr_policy policy;
   qtr_learner_certificate(&table_learner, &certificate);
-  const double sign = table_mission.objective == QTR_TIME ? -1.0 : 1.0;
+  const double sign = table_mission.aim.kind == QTR_TIME ? -1.0 : 1.0;
   const double slack = 2e-5 * optimum; /* within which it is known */
   TEST_ASSERT_TRUE_MESSAGE(sign * certificate.bound >= sign * optimum - slack, case_note);
   TEST_ASSERT_TRUE_MESSAGE(sign * certificate.objective <= sign * optimum + slack, case_note);
@@ -108,8 +108,8 @@ static void stop_everywhere(const char *test, bool spots, uint8_t setting, bool 
       if (!goes_on) continue;
       go_on_to_the_end();
       TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(2e-5 * optimum, optimum,
-                                        table_mission.objective == QTR_TIME ? table_learner.best.score.expected_time
-                                                                            : table_learner.best.score.value,
+                                        table_mission.aim.kind == QTR_TIME ? table_learner.best.score.expected_time
+                                                                           : table_learner.best.score.value,
                                         case_note);
     }
   }

@@ -164,13 +164,14 @@ static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {
 
 static void add_certificate(sheet *s, const table *t) {
   const table_certificate c = table_certificate_of(&t->policy);
+  const qtr_objective_words *words = qtr_objective_in_words(c.objective);
   if (c.certified && c.gap < 1e-9)
     add_line(s, "certified\toptimal");
   else
     add_line(s, c.certified ? "certified\tgap %.2g%%" : "not certified\tgap %.2g%%", 100.0 * c.gap);
   add_line(s, "expected time\t%s", measured(c.expected_time, "step").text);
   add_line(s, "discounted value\t%.5g", c.value);
-  add_line(s, c.by_time ? "no less time than\t%.5g steps" : "no more value than\t%.5g", c.bound);
+  add_line(s, words->unit != NULL ? "%s\t%.5g %ss" : "%s\t%.5g", words->limit, c.bound, words->unit);
 }
 
 static int from_table(sheet *s, const table *t, fault *why) {

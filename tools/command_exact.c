@@ -51,10 +51,11 @@ static qtr_steps *measure(problem *p) {
 
 static void fill_report(report *r, const exact_solution *solution, const qtr_mission *mission) {
   qtr_certificate *c = &r->certificate;
-  c->value = solution->value;
-  c->expected_time = solution->expected_time;
-  c->objective = mission->objective == QTR_TIME ? c->expected_time : c->value;
-  c->bound = c->objective;
+  const uint8_t kind = mission->aim.kind;
+  const qtr_score score = {.value = solution->value, .expected_time = solution->expected_time};
+  c->value = score.value;
+  c->expected_time = score.expected_time;
+  c->objective = c->bound = qtr_objective_figure(kind, qtr_objective_of_score(kind, &score));
   c->certified = true;
   c->negligible_places = (uint16_t)solution->negligible;
   for (int seeker = 0; seeker < mission->seekers; seeker++) {

@@ -105,7 +105,7 @@ static void write_json(FILE *out, const void *what) {
   }
   json_integer(&j, "places", t->policy.board.places);
   json_integer(&j, "robots", t->policy.board.seekers);
-  json_string(&j, "objective", words_objective[c.by_time ? QTR_TIME : QTR_DISCOUNTED]);
+  json_string(&j, "objective", qtr_objective_names[c.objective]);
   json_number(&j, "gamma", c.gamma);
   json_string(&j, "rule", words_rule[t->policy.board.rule]);
   json_number(&j, "value", c.value);
@@ -131,7 +131,7 @@ static void write_text(FILE *out, const void *what) {
           counted(t->bytes.size, "byte").text, c.version[0], c.version[1], c.version[2], c.seed);
   fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->policy.grid.columns, t->policy.grid.rows,
           counted(t->policy.board.places, "place").text, counted(t->policy.board.seekers, "robot").text,
-          words_rule[t->policy.board.rule], c.by_time ? "least expected time" : "discounted value");
+          words_rule[t->policy.board.rule], qtr_objective_in_words(c.objective)->goal);
   fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %s; bound %.6g, gap %.3g%%\n",
           c.certified ? "certified" : "not certified", c.value, c.gamma, measured(c.expected_time, "step").text,
           c.bound, 100.0 * c.gap);

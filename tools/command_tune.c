@@ -159,16 +159,14 @@ static int prove(const plan_config *asked, fault *why) {
 
 /* The best bound that any try found is good for all: they share the ground. */
 static void share_bound(void) {
-  const bool by_time = tuned->p.in.mission.objective == QTR_TIME;
+  const uint8_t objective = tuned->p.in.mission.aim.kind;
   double bound = proven.certificate.bound;
   for (int i = 0; i < count; i++)
-    if (by_time ? tries[i].certificate.bound > bound : tries[i].certificate.bound < bound)
-      bound = tries[i].certificate.bound;
+    if (qtr_objective_is_better(objective, bound, tries[i].certificate.bound)) bound = tries[i].certificate.bound;
   for (int i = 0; i < count; i++) {
     qtr_certificate *c = &tries[i].certificate;
     c->bound = bound;
-    c->gap = by_time ? (c->objective - bound) / c->objective : (bound - c->objective) / c->objective;
-    if (c->gap < 0.0) c->gap = 0.0;
+    c->gap = qtr_objective_gap(objective, c->objective, bound);
   }
 }
 

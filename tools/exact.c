@@ -101,8 +101,8 @@ int exact_check(const qtr_mission *mission, fault *why) {
 int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_steps *steps, fault *why) {
   exact_problem problem = {.places = mission->places,
                            .seekers = mission->seekers,
-                           .discounted = mission->objective == QTR_DISCOUNTED,
-                           .gamma = mission->gamma,
+                           .discounted = mission->aim.kind == QTR_DISCOUNTED,
+                           .gamma = mission->aim.gamma,
                            .steps = steps};
   memset(solution, 0, sizeof *solution);
   if (exact_check(mission, why) != 0) return -1;

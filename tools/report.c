@@ -56,8 +56,8 @@ static void write_json(FILE *out, const void *what) {
   json_integer(&j, "cells", problem_free_cells(r->p));
   json_integer(&j, "places", mission->places);
   json_integer(&j, "robots", mission->seekers);
-  json_string(&j, "objective", words_objective[mission->objective]);
-  json_number(&j, "gamma", mission->gamma);
+  json_string(&j, "objective", qtr_objective_names[mission->aim.kind]);
+  json_number(&j, "gamma", mission->aim.gamma);
   json_string(&j, "rule", words_rule[mission->rule]);
   write_certificate(&j, c);
   json_string(&j, "ended", r->ended);
@@ -103,8 +103,20 @@ void report_routes(FILE *out, const table_route *route, int seekers) {
 
 #define OPTIMAL 1e-5 /* the gap up to which a certified plan is told as optimal: --gap's default */
 
+/* "expected time 12.5 steps" */
+static void write_figure(FILE *out, uint8_t objective, const qtr_certificate *c) {
+  const qtr_objective_words *words = qtr_objective_in_words(objective);
+  const qtr_score score = {.value = c->value, .expected_time = c->expected_time};
+  const double figure = qtr_objective_figure(objective, qtr_objective_of_score(objective, &score));
+  if (words->unit != NULL)
+    fprintf(out, "%s %s", words->figure, measured(figure, words->unit).text);
+  else
+    fprintf(out, "%s %.6g", words->figure, figure);
+}
+
 static void write_verdict(FILE *out, const report *r) {
   const qtr_certificate *c = &r->certificate;
+  const uint8_t objective = r->p->in.mission.aim.kind;
   const bool optimal = c->certified && c->gap <= OPTIMAL && c->negligible_places == 0;
   if (optimal && c->gap < QTR_NEGLIGIBLE)
     fprintf(out, "certified optimal");
@@ -113,23 +125,22 @@ static void write_verdict(FILE *out, const report *r) {
             100.0 * fmax(c->gap, QTR_NEGLIGIBLE));
   else
     fprintf(out, "not certified: at most %.3g%% from the optimum when it ended (%s)", 100.0 * c->gap, r->ended);
-  if (r->p->in.mission.objective == QTR_TIME)
-    fprintf(out, "; expected time %s, bound %.6g (discounted value %.6g)\n", measured(c->expected_time, "step").text,
-            c->bound, c->value);
-  else
-    fprintf(out, "; discounted value %.6g, bound %.6g (expected time %s)\n", c->value, c->bound,
-            measured(c->expected_time, "step").text);
+  fputs("; ", out);
+  write_figure(out, objective, c);
+  fprintf(out, ", bound %.6g (", c->bound);
+  write_figure(out, qtr_objective_in_words(objective)->beside, c);
+  fputs(")\n", out);
 }
 
 /* What the certificate does not cover, for it is lost in the sum. */
 static void write_negligible(FILE *out, const report *r) {
   const int places = r->certificate.negligible_places;
-  const bool time = r->p->in.mission.objective == QTR_TIME;
+  const qtr_objective_words *words = qtr_objective_in_words(r->p->in.mission.aim.kind);
   if (places == 0) return;
   fprintf(out, "%d of %d places %s up less than %g of it each, and nothing is certified of their order: ", places,
           r->p->in.mission.places, places == 1 ? "makes" : "make", QTR_NEGLIGIBLE);
-  fprintf(out, time ? "their weights are too small beside the others'\n"
-                    : "--objective time, or a gamma nearer 1, covers them\n");
+  fprintf(out, words->fades ? "--objective time, or a gamma nearer 1, covers them\n"
+                            : "their weights are too small beside the others'\n");
 }
 
 static void write_text(FILE *out, const void *what) {

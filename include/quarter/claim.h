@@ -11,18 +11,23 @@
 typedef uint64_t qtr_double_bits;
 
 typedef struct {
-  uint8_t objective;             /* 0: discounted value; 1: expected time (enum qtr_objective_kind of the learner) */
+  uint8_t objective;             /* enum qtr_objective_kind of the learner's side */
+  bool less_is_better;           /* of the objective's figure */
   bool certified;                /* the gap is within what was asked for */
   uint8_t version[3];            /* of the library that wrote the table: major, minor, patch */
   uint64_t seed;                 /* of the learner's random choices */
   qtr_double_bits gamma;         /* discount a step */
   qtr_double_bits value;         /* discounted */
   qtr_double_bits expected_time; /* steps */
-  qtr_double_bits bound;         /* of what the objective asks for: no policy does better */
+  qtr_double_bits figure;        /* whichever of the two the objective asks for */
+  qtr_double_bits bound;         /* of the figure: no policy does better */
   qtr_double_bits gap;           /* between the two, relative */
 } qtr_claim;
 
-/* The policy is open. */
+/* Whether a table's objective is one that there is. */
+bool qtr_claim_knows(uint8_t objective);
+
+/* The policy is open, or its words have been checked. */
 void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy);
 
 #endif

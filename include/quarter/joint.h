@@ -3,8 +3,9 @@
  * Learner and robot both play by this one module, so that they cannot disagree about a state's successor. A seeker is idle
  * at a node, bound for a place, or stood down for the rest of the game.
  *
- * Idle seekers choose one after another with no time passing, the one at the lowest node first (the lower seeker on a
- * tie). The order does not depend on which seeker is where, so states that differ only by who is who are one state.
+ * Idle seekers choose one after another with no time passing, the one at the lowest node first (on a tie the one
+ * of the lower kind, then the lower seeker). The order does not depend on which seeker of a kind is where, so states that
+ * differ only by who is who are one state.
  */
 #ifndef QUARTER_JOINT_H
 #define QUARTER_JOINT_H

@@ -13,10 +13,9 @@ typedef struct {
   uint16_t columns, rows;          /* columns * rows <= QTR_MAX_CELLS */
   uint16_t places;                 /* 1..QTR_MAX_PLACES */
   uint8_t seekers;                 /* 1..QTR_MAX_SEEKERS */
-  uint8_t objective;               /* enum qtr_objective_kind */
   uint8_t rule;                    /* enum qtr_rule */
   qtr_frame frame;                 /* where the map lies in the world; goes into the table, the learner ignores it */
-  double gamma;                    /* discount a step, 0 < gamma < 1; used to report the value under either objective */
+  qtr_aim aim;                     /* what it is played for */
   qtr_cell start[QTR_MAX_SEEKERS]; /* free cells, may coincide */
   qtr_cell place[QTR_MAX_PLACES];  /* free cells, all different */
   double weight[QTR_MAX_PLACES];   /* likelihood of each place, above 0, in any unit: normalised to sum 1 */

@@ -22,6 +22,18 @@ enum qtr_objective_kind {
   QTR_OBJECTIVES      /* how many there are */
 };
 
+/* What a mission is played for. */
+typedef struct {
+  uint8_t kind; /* enum qtr_objective_kind */
+  double gamma; /* discount a step, 0 < gamma < 1; under expected time too, for the value that is told beside it */
+} qtr_aim;
+
+/* Discounted, gamma 0.99. */
+void qtr_aim_default(qtr_aim *aim);
+
+/* QTR_OK, or QTR_ERR_ARGUMENT for a kind or a discount that there is not. */
+int qtr_aim_check(const qtr_aim *aim);
+
 #define QTR_REWARD_SCALE 10.0 /* w of Eq. 4.2 */
 #define QTR_NEGLIGIBLE 1e-9   /* share of an objective: nobody calls an order optimal on which less than this depends */
 #define QTR_OBJECTIVE_POWERS 4096u /* powers of gamma kept ready; later ones are computed */
@@ -40,6 +52,7 @@ typedef struct {
 typedef struct {
   double reward;   /* counted from the moment of the choice */
   double discount; /* of what comes after; 1 under expected time */
+  qtr_steps now;   /* how far it has come, since the game's start */
 } qtr_outcome;
 
 /* What a whole game earns, whatever it was played for. */
@@ -49,12 +62,8 @@ typedef struct {
   double worth;         /* under the objective, to be maximised: value, or -expected_time */
 } qtr_score;
 
-/* False for a kind or a discount that there is not: 0 < gamma < 1. The discount counts under either objective, for the
- * value that is told beside the expected time. */
-bool qtr_objective_is(uint8_t kind, double gamma);
-
-/* Get an objective ready; kind and gamma are such that qtr_objective_is(). */
-void qtr_objective_init(qtr_objective *objective, uint8_t kind, double gamma);
+/* Get an objective ready for an aim that was checked. */
+void qtr_objective_init(qtr_objective *objective, const qtr_aim *aim);
 
 /* gamma^n beyond the powers kept ready. */
 double qtr_objective_far_power(const qtr_objective *objective, qtr_steps n);
@@ -83,7 +92,22 @@ bool qtr_objective_needs_all(const qtr_objective *objective);
 /* Whether what lies `steps` ahead can still be told from nothing. */
 bool qtr_objective_tells(const qtr_objective *objective, qtr_steps steps);
 
+/* The aim for a game of which nothing can be told by its own: the same places found soonest. */
+void qtr_aim_undiscount(qtr_aim *aim);
+
+/* Add up what a game earns, given each place's step of first visit. */
+void qtr_objective_score(const qtr_objective *objective, qtr_score *score, const double *probability,
+                         const qtr_steps *visit, unsigned places);
+
 /* ---- worth from some moment on ---- */
+
+/* What the digit of a key is that stands for the time, and the greatest that it can be: 0 where what is still to come is the
+ * same whenever it comes, so that states differ by their places and seekers alone. */
+qtr_steps qtr_objective_clock(const qtr_objective *objective, qtr_steps now);
+qtr_steps qtr_objective_last_clock(const qtr_objective *objective);
+
+/* The reward of a visit at the moment of the choice, with no time passing. */
+double qtr_objective_at_once(const qtr_objective *objective, double probability, qtr_steps now);
 
 /* A visit that happens now counts for so much, without the scale of rewards; and what is worth `worth` from `steps` on
  * counts for so much now, while places of the likelihood `waiting` wait for it. */
@@ -94,7 +118,10 @@ double qtr_objective_delayed(const qtr_objective *objective, double worth, qtr_s
  * the most that can still come. */
 double qtr_objective_from_now(const qtr_objective *objective, double worth, qtr_steps now, double unvisited);
 
-/* ---- a stretch of time, as a backup sees it: first wait, then the visits in it, at last the end ---- */
+/* ---- time as a backup sees it: a beginning, then stretch by stretch first wait, then the visits in it, at last its end ---- */
+
+/* A choice has been made at step `now`, and nothing has passed yet. */
+void qtr_objective_begin(qtr_outcome *outcome, qtr_steps now);
 
 /* All that is unvisited at first waits for the whole stretch of `passed` steps. */
 void qtr_objective_wait(const qtr_objective *objective, qtr_outcome *outcome, double unvisited, qtr_steps passed);
@@ -107,11 +134,32 @@ void qtr_objective_pass(const qtr_objective *objective, qtr_outcome *outcome, qt
 
 /* ---- what people are told ---- */
 
-/* The figure of a worth: the value, or the expected time. */
-double qtr_objective_figure(const qtr_objective *objective, double worth);
+/* An objective in words. Its figure is its worth as people read it: the discounted value, the expected time. */
+typedef struct {
+  const char *figure;  /* "expected time" */
+  const char *goal;    /* the same as what is sought: "least expected time" */
+  const char *limit;   /* what the bound is of: "no less time than" */
+  const char *unit;    /* of the figure, singular; NULL: it has none */
+  uint8_t beside;      /* enum qtr_objective_kind: whose figure is told beside its own */
+  bool less_is_better; /* of the figure */
+  bool fades;          /* what comes late may count for next to nothing */
+} qtr_objective_words;
 
-/* What a game that earns both is worth under this one of them. */
-double qtr_objective_of_score(const qtr_objective *objective, const qtr_score *score);
+/* Of a kind that there is. */
+const qtr_objective_words *qtr_objective_in_words(uint8_t kind);
+
+/* What missions and command lines call the objectives, in the order of the kinds; ended by NULL. */
+extern const char *const qtr_objective_names[];
+
+/* What a game that earns so much is worth under an objective, and the figure of a worth. */
+double qtr_objective_of_score(uint8_t kind, const qtr_score *score);
+double qtr_objective_figure(uint8_t kind, double worth);
+
+/* Whether one figure is better than another. */
+bool qtr_objective_is_better(uint8_t kind, double figure, double than);
+
+/* How far a bound lies from a figure, relative to it; 0 where the figure is past the bound. */
+double qtr_objective_gap(uint8_t kind, double figure, double bound);
 
 /* Whether a game is worth more than another, or as much and takes less expected time: what is discounted away counts for
  * nothing in a sum, but it still has to be searched. */

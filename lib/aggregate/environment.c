@@ -55,6 +55,7 @@ static void shape_keys(qtr_environment *e) {
   e->keys = e->board.keys;
   e->keys.nodes = (uint16_t)nodes_of(e);
   if (!qtr_sight_is_exact(&e->sight)) e->keys.longest = qtr_sight_last_digit(&e->sight);
+  e->keys.clock = qtr_objective_last_clock(&e->game->objective);
   qtr_key_measure(&e->keys);
 }
 
@@ -68,7 +69,8 @@ void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_k
     if (is_idle) seen.node[i] = (uint16_t)places_of(e);
     seen.remaining[i] = qtr_sight_digit(&e->sight, &s->walk[i], is_idle);
   }
-  qtr_key_make(key, &e->keys, &seen.visited, seen.node, seen.remaining);
+  qtr_key_make(key, &e->keys, &seen.visited, qtr_objective_clock(&e->game->objective, s->now), seen.node,
+               seen.remaining);
 }
 
 /* ---- set-up ---- */
@@ -141,7 +143,7 @@ double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int se
   /* With regions a spot counts when it is done. */
   if (!here || (!qtr_sight_is_exact(&e->sight) && !done)) return 0.0;
   s->unvisited -= e->game->probability[first];
-  return qtr_game_worth(e->game, first, 0);
+  return qtr_objective_at_once(&e->game->objective, e->game->probability[first], s->now);
 }
 
 /* A visit `offset` steps into a stretch of `passed` steps, under way since before it. */
@@ -218,8 +220,7 @@ static bool pass_once(const qtr_environment *e, qtr_situation *s, qtr_outcome *o
 }
 
 void qtr_environment_pass(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome) {
-  outcome->reward = 0.0;
-  outcome->discount = 1.0;
+  qtr_objective_begin(outcome, s->now);
   while (qtr_joint_chooser(&s->joint, &e->board) == QTR_NOBODY)
     if (!pass_once(e, s, outcome)) return;
 }

@@ -31,7 +31,7 @@ static uint16_t count_negligible(const qtr_learner *learner) {
 
 void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certificate) {
   const qtr_score *score = &learner->best.score;
-  const qtr_objective *objective = &learner->game->objective;
+  const uint8_t objective = learner->game->objective.kind;
   const double worth = qtr_objective_of_score(objective, score);
   const double upper = learner->ground_upper > worth ? learner->ground_upper : worth;
   certificate->value = score->value;

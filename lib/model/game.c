@@ -77,7 +77,7 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *f
   find_starts(game);
   if (!measure_travel(game, field)) return QTR_ERR_STOPPED;
   set_probabilities(game);
-  qtr_objective_init(&game->objective, mission->objective, mission->gamma);
+  qtr_objective_init(&game->objective, &mission->aim);
   for (unsigned place = 0; place < mission->places; place++) {
     if (qtr_game_reachable(game, place)) continue;
     if (culprit != NULL) *culprit = (int)place;
@@ -90,13 +90,7 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *f
 /* ---- rewards ---- */
 
 void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *score) {
-  score->value = 0.0;
-  score->expected_time = 0.0;
-  for (unsigned place = 0; place < game->board.places; place++) {
-    score->value += qtr_objective_discounted(&game->objective, game->probability[place], visit[place]);
-    score->expected_time += game->probability[place] * (double)visit[place];
-  }
-  score->worth = qtr_objective_of_score(&game->objective, score);
+  qtr_objective_score(&game->objective, score, game->probability, visit, game->board.places);
 }
 
 /* ---- play ---- */
@@ -123,12 +117,11 @@ static void collect(const qtr_game *game, qtr_state *state, qtr_outcome *outcome
 double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint16_t choice) {
   if (!qtr_joint_choose(&state->joint, &game->board, seeker, choice)) return 0.0;
   state->unvisited -= game->probability[choice];
-  return qtr_game_worth(game, choice, 0);
+  return qtr_objective_at_once(&game->objective, game->probability[choice], state->now);
 }
 
 void qtr_game_pass(const qtr_game *game, qtr_state *state, qtr_outcome *outcome) {
-  outcome->reward = 0.0;
-  outcome->discount = 1.0;
+  qtr_objective_begin(outcome, state->now);
   while (qtr_joint_chooser(&state->joint, &game->board) == QTR_NOBODY) {
     qtr_places arrived;
     qtr_places_clear(&arrived);

@@ -7,9 +7,8 @@
 int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   memset(mission, 0, sizeof *mission);
-  mission->objective = QTR_DISCOUNTED;
+  qtr_aim_default(&mission->aim);
   mission->rule = QTR_RULE_FREE;
-  mission->gamma = 0.99;
   return QTR_OK;
 }
 
@@ -29,7 +28,7 @@ static int check_dimensions(const qtr_mission *mission) {
 
 static int check_aim(const qtr_mission *mission) {
   if (mission->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
-  return qtr_objective_is(mission->objective, mission->gamma) ? QTR_OK : QTR_ERR_ARGUMENT;
+  return qtr_aim_check(&mission->aim);
 }
 
 static bool is_free(const qtr_mission *mission, qtr_cell cell) {

@@ -1,17 +1,35 @@
 #include "quarter/objective.h"
 
+#include <math.h>
+#include <stddef.h>
+
+#include "quarter/status.h"
+
 /* Where gamma^t comes to its end as a double, all that is left counts as found now. */
 #define LEAST_DIVISOR 1e-250
 
-bool qtr_objective_is(uint8_t kind, double gamma) {
-  return kind < QTR_OBJECTIVES && gamma > 0.0 && gamma < 1.0;
+/* ---- aims ---- */
+
+void qtr_aim_default(qtr_aim *aim) {
+  aim->kind = QTR_DISCOUNTED;
+  aim->gamma = 0.99;
 }
 
+int qtr_aim_check(const qtr_aim *aim) {
+  return aim->kind < QTR_OBJECTIVES && aim->gamma > 0.0 && aim->gamma < 1.0 ? QTR_OK : QTR_ERR_ARGUMENT;
+}
+
+void qtr_aim_undiscount(qtr_aim *aim) {
+  aim->kind = QTR_TIME;
+}
+
+/* ---- the worth of visits ---- */
+
 /* By multiplication alone: pow() differs between C libraries, and a run must repeat bit for bit. */
-void qtr_objective_init(qtr_objective *objective, uint8_t kind, double gamma) {
-  objective->kind = kind;
+void qtr_objective_init(qtr_objective *objective, const qtr_aim *aim) {
+  objective->kind = aim->kind;
   objective->power[0] = 1.0;
-  for (unsigned n = 1; n < QTR_OBJECTIVE_POWERS; n++) objective->power[n] = objective->power[n - 1] * gamma;
+  for (unsigned n = 1; n < QTR_OBJECTIVE_POWERS; n++) objective->power[n] = objective->power[n - 1] * aim->gamma;
 }
 
 /* gamma^n = gamma^(n mod N) * (gamma^N)^(n div N), the second by squaring. */
@@ -34,6 +52,36 @@ bool qtr_objective_tells(const qtr_objective *objective, qtr_steps steps) {
   return qtr_objective_power(objective, steps - 1) >= QTR_OBJECTIVE_LEAST_POWER;
 }
 
+void qtr_objective_score(const qtr_objective *objective, qtr_score *score, const double *probability,
+                         const qtr_steps *visit, unsigned places) {
+  score->value = 0.0;
+  score->expected_time = 0.0;
+  for (unsigned place = 0; place < places; place++) {
+    score->value += qtr_objective_discounted(objective, probability[place], visit[place]);
+    score->expected_time += probability[place] * (double)visit[place];
+  }
+  score->worth = qtr_objective_of_score(objective->kind, score);
+}
+
+/* ---- worth from some moment on ---- */
+
+/* Either objective falls apart at any moment into what was and what comes, counted from there. */
+qtr_steps qtr_objective_clock(const qtr_objective *objective, qtr_steps now) {
+  (void)objective;
+  (void)now;
+  return 0;
+}
+
+qtr_steps qtr_objective_last_clock(const qtr_objective *objective) {
+  (void)objective;
+  return 0;
+}
+
+double qtr_objective_at_once(const qtr_objective *objective, double probability, qtr_steps now) {
+  (void)now;
+  return qtr_objective_worth(objective, probability, 0);
+}
+
 double qtr_objective_visit(const qtr_objective *objective, double probability) {
   return objective->kind == QTR_TIME ? 0.0 : probability;
 }
@@ -52,6 +100,12 @@ double qtr_objective_from_now(const qtr_objective *objective, double worth, qtr_
   return power > LEAST_DIVISOR ? worth / power : QTR_REWARD_SCALE * unvisited;
 }
 
+void qtr_objective_begin(qtr_outcome *outcome, qtr_steps now) {
+  outcome->reward = 0.0;
+  outcome->discount = 1.0;
+  outcome->now = now;
+}
+
 void qtr_objective_wait(const qtr_objective *objective, qtr_outcome *outcome, double unvisited, qtr_steps passed) {
   if (objective->kind == QTR_TIME) outcome->reward -= (double)passed * unvisited;
 }
@@ -66,14 +120,38 @@ void qtr_objective_collect(const qtr_objective *objective, qtr_outcome *outcome,
 
 void qtr_objective_pass(const qtr_objective *objective, qtr_outcome *outcome, qtr_steps passed) {
   if (objective->kind != QTR_TIME) outcome->discount *= qtr_objective_power(objective, passed);
+  outcome->now += passed;
 }
 
-double qtr_objective_figure(const qtr_objective *objective, double worth) {
-  return objective->kind == QTR_TIME ? -worth : worth;
+/* ---- what people are told ---- */
+
+const char *const qtr_objective_names[] = {[QTR_DISCOUNTED] = "discounted", [QTR_TIME] = "time", NULL};
+
+static const qtr_objective_words words[] = {
+    [QTR_DISCOUNTED] = {"discounted value", "discounted value", "no more value than", NULL, QTR_TIME,
+                        .less_is_better = false, .fades = true},
+    [QTR_TIME] = {"expected time", "least expected time", "no less time than", "step", QTR_DISCOUNTED,
+                  .less_is_better = true, .fades = false}};
+
+const qtr_objective_words *qtr_objective_in_words(uint8_t kind) {
+  QTR_ASSERT(kind < QTR_OBJECTIVES); /* as missions and tables are checked for */
+  return &words[kind];
 }
 
-double qtr_objective_of_score(const qtr_objective *objective, const qtr_score *score) {
-  return objective->kind == QTR_TIME ? -score->expected_time : score->value;
+double qtr_objective_of_score(uint8_t kind, const qtr_score *score) {
+  return kind == QTR_TIME ? -score->expected_time : score->value;
+}
+
+double qtr_objective_figure(uint8_t kind, double worth) {
+  return words[kind].less_is_better ? -worth : worth;
+}
+
+bool qtr_objective_is_better(uint8_t kind, double figure, double than) {
+  return words[kind].less_is_better ? figure < than : figure > than;
+}
+
+double qtr_objective_gap(uint8_t kind, double figure, double bound) {
+  return qtr_objective_is_better(kind, bound, figure) ? fabs(bound - figure) / figure : 0.0;
 }
 
 bool qtr_score_is_better(const qtr_score *score, const qtr_score *than) {

@@ -39,6 +39,8 @@ int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
   board->keys.places = board->places;
   board->keys.nodes = (uint16_t)qtr_board_nodes(board);
   board->keys.seekers = board->seekers;
+  board->keys.clock = 0;                                                 /* the rules ask no clock what is allowed */
+  for (unsigned i = 0; i < board->seekers; i++) board->keys.kind[i] = 0; /* all travel alike */
   board->keys.longest = find_longest(board);
   /* Sums over a whole game must fit qtr_steps. */
   if (board->keys.longest > (QTR_NEVER - 1) / (board->places + 1u)) return QTR_ERR_LIMIT;

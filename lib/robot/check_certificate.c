@@ -39,13 +39,12 @@ static bool is_discount(int64_t rank) {
 int qtr_check_certificate(const qtr_policy *policy) {
   qtr_claim claim;
   qtr_claim_read(&claim, policy);
-  const bool by_time = claim.objective != 0;
-  const int64_t value = rank_of(claim.value);
-  const int64_t time = rank_of(claim.expected_time);
+  const int64_t figure = rank_of(claim.figure);
   const int64_t bound = rank_of(claim.bound);
-  if (!is_discount(rank_of(claim.gamma)) || !is_amount(value) || !is_amount(time) || !is_finite(bound))
+  if (!is_discount(rank_of(claim.gamma)) || !is_amount(rank_of(claim.value)) || !is_finite(bound) ||
+      !is_amount(rank_of(claim.expected_time)))
     return QTR_ERR_CERTIFICATE;
-  if (by_time ? bound > time : bound < value) return QTR_ERR_CERTIFICATE;
-  const bool agrees = gap_agrees(rank_of(claim.gap), by_time ? time : value, bound, claim.certified);
+  if (claim.less_is_better ? bound > figure : bound < figure) return QTR_ERR_CERTIFICATE;
+  const bool agrees = gap_agrees(rank_of(claim.gap), figure, bound, claim.certified);
   return agrees ? QTR_OK : QTR_ERR_CERTIFICATE;
 }

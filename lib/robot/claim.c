@@ -1,17 +1,31 @@
 #include "quarter/claim.h"
 
+#include "quarter/status.h"
 #include "robot/layout.h"
+
+/* All that a robot knows of objectives; the learner's side has the rest (quarter/objective.h). */
+static const struct {
+  uint8_t figure_at; /* in the header */
+  bool less_is_better;
+} objectives[] = {{QTR_POLICY_VALUE, false}, {QTR_POLICY_TIME, true}};
+
+bool qtr_claim_knows(uint8_t objective) {
+  return objective < sizeof objectives / sizeof objectives[0];
+}
 
 void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   const uint32_t producer = load32_le(bytes + QTR_POLICY_PRODUCER);
+  QTR_ASSERT(qtr_claim_knows(bytes[QTR_POLICY_OBJECTIVE])); /* as opening sees to */
   claim->objective = bytes[QTR_POLICY_OBJECTIVE];
+  claim->less_is_better = objectives[claim->objective].less_is_better;
   claim->certified = bytes[QTR_POLICY_CERTIFIED] != 0;
   for (unsigned i = 0; i < 3; i++) claim->version[i] = (uint8_t)(producer >> (16 - 8 * i) & 0xFFu);
   claim->seed = load64_le(bytes + QTR_POLICY_SEED);
   claim->gamma = load64_le(bytes + QTR_POLICY_GAMMA);
   claim->value = load64_le(bytes + QTR_POLICY_VALUE);
   claim->expected_time = load64_le(bytes + QTR_POLICY_TIME);
+  claim->figure = load64_le(bytes + objectives[claim->objective].figure_at);
   claim->bound = load64_le(bytes + QTR_POLICY_BOUND);
   claim->gap = load64_le(bytes + QTR_POLICY_GAP);
 }

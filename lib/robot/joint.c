@@ -65,10 +65,16 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *s
   stand_down_the_useless(joint, board);
 }
 
+/* Whether a seeker's turn comes before that of one with a lower number. */
+static bool is_before(const qtr_joint *joint, const qtr_board *board, int seeker, int other) {
+  if (joint->node[seeker] != joint->node[other]) return joint->node[seeker] < joint->node[other];
+  return board->keys.kind[seeker] < board->keys.kind[other];
+}
+
 int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board) {
   int chooser = QTR_NOBODY;
   for (int i = 0; i < board->seekers; i++)
-    if (is_idle(joint, (unsigned)i) && (chooser == QTR_NOBODY || joint->node[i] < joint->node[chooser])) chooser = i;
+    if (is_idle(joint, (unsigned)i) && (chooser == QTR_NOBODY || is_before(joint, board, i, chooser))) chooser = i;
   /* Whoever has nothing to choose has been stood down: the chooser has a place to go to. */
   QTR_ASSERT(chooser == QTR_NOBODY || find_choices(joint, board, (unsigned)chooser, NULL));
   return chooser;
@@ -136,5 +142,5 @@ qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places
 }
 
 void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_board *board) {
-  qtr_key_make(key, &board->keys, &joint->visited, joint->node, joint->remaining);
+  qtr_key_make(key, &board->keys, &joint->visited, 0, joint->node, joint->remaining);
 }

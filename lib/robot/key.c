@@ -41,14 +41,22 @@ static unsigned append_places(qtr_key *key, unsigned words, const qtr_key_shape 
   return words;
 }
 
-/* Seekers that are alike are interchangeable: sorted, who is who is gone from the key. */
-static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], unsigned seekers, const uint16_t *node,
+/* Without a clock there is no digit for it, and keys are as long as if there were no such thing. */
+static unsigned append_clock(qtr_key *key, unsigned words, const qtr_key_shape *shape, qtr_steps clock) {
+  return shape->clock > 0 ? append_digit(key, words, clock, shape->clock + 1) : words;
+}
+
+/* Seekers of a kind are interchangeable: sorted, who is who is gone from the key. Kinds stay apart, in one order always. */
+static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], const qtr_key_shape *shape, const uint16_t *node,
                          const qtr_steps *remaining) {
-  for (uint8_t i = 0; i < seekers; i++) {
+  const uint8_t *kind = shape->kind;
+  for (uint8_t i = 0; i < shape->seekers; i++) {
     uint8_t at = i;
     for (; at > 0; at--) {
       const uint8_t before = order[at - 1];
-      const bool less = node[i] != node[before] ? node[i] < node[before] : remaining[i] < remaining[before];
+      const bool less = kind[i] != kind[before]   ? kind[i] < kind[before]
+                        : node[i] != node[before] ? node[i] < node[before]
+                                                  : remaining[i] < remaining[before];
       if (!less) break;
       order[at] = before;
     }
@@ -61,13 +69,14 @@ static bool fits_in_bits(const qtr_key *key, unsigned words, unsigned bits) {
   return 32 * words <= bits || (words == bits / 32 + 1 && key->word[words - 1] >> bits % 32 == 0);
 }
 
-void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *visited, const uint16_t *node,
-                  const qtr_steps *remaining) {
+void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *visited, qtr_steps clock,
+                  const uint16_t *node, const qtr_steps *remaining) {
   uint8_t order[QTR_MAX_SEEKERS];
-  sort_seekers(order, shape->seekers, node, remaining);
+  sort_seekers(order, shape, node, remaining);
   unsigned words = 0;
   for (unsigned i = 0; i < shape->seekers; i++)
     words = append_seeker(key, words, shape, node[order[i]], remaining[order[i]]);
+  words = append_clock(key, words, shape, clock);
   words = append_places(key, words, shape, visited);
   /* No key is greater than the one that was measured: the bits above it are the Q-table's. */
   QTR_ASSERT(words <= shape->words && fits_in_bits(key, words, shape->bits));
@@ -81,6 +90,7 @@ void qtr_key_measure(qtr_key_shape *shape) {
   for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) all.word[w] = UINT32_MAX;
   if (shape->places % 32 != 0) all.word[shape->places / 32] = ((uint32_t)1 << shape->places % 32) - 1;
   for (unsigned i = 0; i < shape->seekers; i++) words = append_seeker(&key, words, shape, shape->nodes, shape->longest);
+  words = append_clock(&key, words, shape, shape->clock);
   words = append_places(&key, words, shape, &all);
   /* The greatest key is that of all places visited by seekers that have stood down, so it is not 0. */
   QTR_ASSERT(words > 0 && words <= QTR_KEY_WORDS);

@@ -24,7 +24,7 @@ enum {
   QTR_POLICY_SEEKERS = 22,   /* u8 */
   QTR_POLICY_ANY_START = 23, /* u8, 1: each region is a start, and a section tells the cells' regions */
   QTR_POLICY_RULE = 24,      /* u8, enum qtr_rule */
-  QTR_POLICY_OBJECTIVE = 25, /* u8, enum qtr_objective */
+  QTR_POLICY_OBJECTIVE = 25, /* u8, enum qtr_objective_kind */
   QTR_POLICY_GRID = 26,      /* u8, enum qtr_grid_encoding */
   QTR_POLICY_CERTIFIED = 27, /* u8, 1: the gap is within what was asked for */
   QTR_POLICY_KEY_WORDS = 28, /* u8, then a byte of 0 */

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "core/crc.h"
+#include "quarter/claim.h"
 #include "quarter/nominal.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
@@ -42,7 +43,7 @@ static int read_dimensions(qtr_policy *policy) {
 }
 
 static int check_words(const uint8_t *bytes) {
-  const bool known = bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER && bytes[QTR_POLICY_OBJECTIVE] <= 1 &&
+  const bool known = bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER && qtr_claim_knows(bytes[QTR_POLICY_OBJECTIVE]) &&
                      bytes[QTR_POLICY_CERTIFIED] <= 1 && bytes[QTR_POLICY_ANY_START] <= 1 &&
                      bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES;
   const bool reserved = bytes[QTR_POLICY_KEY_WORDS + 1] != 0 || load32_le(bytes + QTR_POLICY_PRODUCER + 4) != 0 ||

@@ -8,7 +8,7 @@
 void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole, const qtr_cell *start,
                    const qtr_places *cleared) {
   rest->places = 0;
-  rest->objective = whole->objective;
+  rest->aim = whole->aim;
   for (uint16_t place = 0; place < whole->places; place++) {
     if (cleared != NULL && qtr_places_has(cleared, place)) continue;
     number[rest->places] = place;
@@ -22,6 +22,6 @@ void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole
 int qtr_rest_game(qtr_game *game, qtr_mission *rest, qtr_field *field) {
   const int status = qtr_game_init(game, rest, field, NULL);
   if (status != QTR_ERR_DISCOUNT) return status;
-  rest->objective = QTR_TIME;
+  qtr_aim_undiscount(&rest->aim);
   return qtr_game_init(game, rest, field, NULL);
 }

@@ -53,7 +53,7 @@ static void write_dimensions(uint8_t *bytes, const qtr_table_content *content, u
   bytes[QTR_POLICY_SEEKERS] = board->seekers;
   bytes[QTR_POLICY_ANY_START] = content->region != NULL;
   bytes[QTR_POLICY_RULE] = board->rule;
-  bytes[QTR_POLICY_OBJECTIVE] = mission->objective;
+  bytes[QTR_POLICY_OBJECTIVE] = mission->aim.kind;
   bytes[QTR_POLICY_GRID] = encoding_of(mission);
   bytes[QTR_POLICY_KEY_WORDS] = board->keys.words;
   store16_le(bytes + QTR_POLICY_STARTS, board->starts);
@@ -69,7 +69,7 @@ static void write_certificate(uint8_t *bytes, const qtr_table_content *content) 
   store32_le(bytes + QTR_POLICY_PRODUCER,
              (uint32_t)QTR_VERSION_MAJOR << 16 | (uint32_t)QTR_VERSION_MINOR << 8 | (uint32_t)QTR_VERSION_PATCH);
   store64_le(bytes + QTR_POLICY_SEED, content->seed);
-  store_double(bytes + QTR_POLICY_GAMMA, content->mission->gamma);
+  store_double(bytes + QTR_POLICY_GAMMA, content->mission->aim.gamma);
   store_double(bytes + QTR_POLICY_VALUE, certificate->value);
   store_double(bytes + QTR_POLICY_TIME, certificate->expected_time);
   store_double(bytes + QTR_POLICY_BOUND, certificate->bound);

@@ -76,7 +76,7 @@ static void make_map(unsigned seed, int side, int places, int seekers, int objec
   do {
     qtr_mission_default(&mission);
     mission.columns = mission.rows = (uint16_t)side;
-    mission.objective = (uint8_t)objective;
+    mission.aim.kind = (uint8_t)objective;
     mission.seekers = (uint8_t)seekers;
     for (int cell = 0; cell < side * side; cell++) mission.cost[cell] = draw(100) >= 20;
     mission.cost[0] = 1;
@@ -120,7 +120,7 @@ static double learn_reference(const char *path, int robots, int objective, doubl
     fprintf(stderr, "%s\n", why.text);
     exit(1);
   }
-  reference.mission.objective = (uint8_t)objective;
+  reference.mission.aim.kind = (uint8_t)objective;
   const run r = learn(&reference.mission, 60.0);
   *found = r.certificate.certified ? r.certificate.objective : -1.0;
   return r.seconds;

@@ -19,9 +19,9 @@ void tearDown(void) {
 
 static void test_the_default_is_the_input_learnt_on_its_true_map(void) {
   TEST_ASSERT_EQUAL_INT(0, plan_config_check(&config, &why));
-  TEST_ASSERT_EQUAL_INT(PLAN_AS_STATED, config.objective);
+  TEST_ASSERT_EQUAL_INT(PLAN_AS_STATED, config.aim.kind);
   TEST_ASSERT_EQUAL_INT(PLAN_AS_STATED, config.rule);
-  TEST_ASSERT_EQUAL_DOUBLE(0.0, config.gamma);
+  TEST_ASSERT_EQUAL_DOUBLE(0.0, config.aim.gamma);
   TEST_ASSERT_EQUAL_INT(0, config.reading.robots);
   TEST_ASSERT_EQUAL_INT(QTR_SETTING_CERTIFIED, config.learner.setting);
   TEST_ASSERT_FALSE(config.aggregation.by_regions || config.aggregation.by_spots);

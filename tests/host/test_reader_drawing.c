@@ -28,9 +28,9 @@ static void test_every_character_becomes_its_cell(void) {
 static void test_defaults_are_the_missions(void) {
   scratch_write("a.txt", "S1\n");
   scratch_read("a.txt");
-  TEST_ASSERT_EQUAL_INT(QTR_DISCOUNTED, scratch_input.mission.objective);
+  TEST_ASSERT_EQUAL_INT(QTR_DISCOUNTED, scratch_input.mission.aim.kind);
   TEST_ASSERT_EQUAL_INT(QTR_RULE_FREE, scratch_input.mission.rule);
-  TEST_ASSERT_EQUAL_DOUBLE(0.99, scratch_input.mission.gamma);
+  TEST_ASSERT_EQUAL_DOUBLE(0.99, scratch_input.mission.aim.gamma);
   TEST_ASSERT_FALSE(scratch_input.gamma_given || scratch_input.objective_given || scratch_input.rule_given);
   TEST_ASSERT_FALSE(scratch_input.frame.metric);
   TEST_ASSERT_EQUAL_STRING(scratch_input.path, scratch_input.map);

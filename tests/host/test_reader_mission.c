@@ -34,8 +34,8 @@ static void test_every_key(void) {
   TEST_ASSERT_EQUAL_DOUBLE(2.5, mission->weight[0]);
   TEST_ASSERT_EQUAL_INT(6, mission->place[1]);
   TEST_ASSERT_EQUAL_DOUBLE(1.0, mission->weight[1]);
-  TEST_ASSERT_EQUAL_INT(QTR_TIME, mission->objective);
-  TEST_ASSERT_EQUAL_DOUBLE(0.9, mission->gamma);
+  TEST_ASSERT_EQUAL_INT(QTR_TIME, mission->aim.kind);
+  TEST_ASSERT_EQUAL_DOUBLE(0.9, mission->aim.gamma);
   TEST_ASSERT_EQUAL_INT(QTR_RULE_PAPER, mission->rule);
   TEST_ASSERT_TRUE(scratch_input.objective_given && scratch_input.gamma_given && scratch_input.rule_given);
 }

@@ -119,7 +119,7 @@ static double get_double(uint32_t offset) {
 static void test_gap_that_is_not_between_value_and_bound_is_refused(void) {
   for (uint8_t objective = 0; objective < 2; objective++) {
     mission_draw(&table_mission, "1..S..2/.#~..1./3.....S");
-    table_mission.objective = objective;
+    table_mission.aim.kind = objective;
     table_learn(1000);
     table_export();
     take();

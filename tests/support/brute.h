@@ -40,8 +40,8 @@ static inline void brute_set_up(brute_game *game, const qtr_mission *mission) {
   game->places = mission->places;
   game->seekers = mission->seekers;
   game->paper = mission->rule == QTR_RULE_PAPER;
-  game->time = mission->objective == QTR_TIME;
-  game->gamma = mission->gamma;
+  game->time = mission->aim.kind == QTR_TIME;
+  game->gamma = mission->aim.gamma;
   for (int p = 0; p < game->places; p++) sum += mission->weight[p];
   for (int p = 0; p < game->places; p++) {
     game->probability[p] = mission->weight[p] / sum;

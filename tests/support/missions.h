@@ -120,9 +120,9 @@ static inline void mission_random(qtr_mission *mission, test_random *random, mis
     random_ground(mission, random, &most);
     random_people(mission, random, &most);
   } while (!all_in_reach(mission));
-  mission->objective = (uint8_t)random_below(random, 2);
+  mission->aim.kind = (uint8_t)random_below(random, 2);
   mission->rule = (uint8_t)random_below(random, 2);
-  mission->gamma = random_chance(random, 70) ? 0.99 : 0.98 + 0.0199 * random_unit(random);
+  mission->aim.gamma = random_chance(random, 70) ? 0.99 : 0.98 + 0.0199 * random_unit(random);
 }
 
 #endif

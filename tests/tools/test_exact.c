@@ -20,7 +20,7 @@ void setUp(void) {
   memset(&why, 0, sizeof why);
   mission.columns = 100;
   mission.rows = 1;
-  mission.gamma = 0.9;
+  mission.aim.gamma = 0.9;
 }
 
 void tearDown(void) {
@@ -54,7 +54,7 @@ static void assert_near(double expected, double actual) {
 
 static void test_likely_place_is_visited_first_though_it_is_farther(void) {
   corridor(1, (int[]){10}, 2, (int[]){8, 13}, (double[]){1, 3});
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   solve();
   TEST_ASSERT_EQUAL_INT(2, solution.length[0]);
   TEST_ASSERT_EQUAL_UINT16(1, solution.route[0][0]);
@@ -68,14 +68,14 @@ static void test_likely_place_is_visited_first_though_it_is_farther(void) {
 static void test_objectives_may_disagree(void) {
   /* A near place and a far one: expected time heeds the weights, a strong discount the near place alone. */
   corridor(1, (int[]){50}, 2, (int[]){49, 53}, (double[]){1, 2});
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   solve();
   TEST_ASSERT_EQUAL_UINT16(0, solution.route[0][0]); /* (1 + 2 * 5) / 3 against (2 * 3 + 7) / 3 */
   mission.weight[1] = 4;
   solve();
   TEST_ASSERT_EQUAL_UINT16(1, solution.route[0][0]); /* (1 + 4 * 5) / 5 against (4 * 3 + 7) / 5 */
-  mission.objective = QTR_DISCOUNTED;
-  mission.gamma = 0.4;
+  mission.aim.kind = QTR_DISCOUNTED;
+  mission.aim.gamma = 0.4;
   solve();
   TEST_ASSERT_EQUAL_UINT16(0, solution.route[0][0]); /* 1 + 4 * 0.4^4 against 4 * 0.4^2 + 0.4^6 */
   assert_near(10 * (0.2 + 0.8 * pow(0.4, 4)), solution.value);
@@ -101,7 +101,7 @@ static void test_two_seekers_part(void) {
 
 static void test_far_seeker_may_stand_down(void) {
   corridor(2, (int[]){50, 91}, 2, (int[]){49, 51}, (double[]){1, 1});
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   solve();
   TEST_ASSERT_EQUAL_INT(2, solution.length[0]);
   assert_near((1 + 3) / 2.0, solution.expected_time);
@@ -111,7 +111,7 @@ static void test_paper_rule_opens_withheld_places_when_few_are_left(void) {
   /* Seeker 1, far off, must head for one of the two. After step 1 one place is left for two seekers, so seeker 0 may
    * head for it as well, and gets there first. */
   corridor(2, (int[]){50, 91}, 2, (int[]){49, 51}, (double[]){1, 1});
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   mission.rule = QTR_RULE_PAPER;
   solve();
   TEST_ASSERT_EQUAL_INT(2, solution.length[0]);
@@ -127,7 +127,7 @@ static void test_paper_rule_costs_time_where_a_far_seeker_withholds_a_place(void
   for (int row = 0; row < 3 + PLACES; row++)
     for (int p = 0; p < PLACES; p++)
       if ((row == 2 || row > 4) != (p > 1)) steps[row * PLACES + p] = QTR_NEVER;
-  mission.objective = QTR_TIME;
+  mission.aim.kind = QTR_TIME;
   solve();
   assert_near((1 + 2 + 10 + 110 + 210) / 5.0, solution.expected_time);
   mission.rule = QTR_RULE_PAPER;
@@ -174,9 +174,9 @@ static void test_too_many_places_are_refused_at_once_with_the_limit(void) {
 
 static void test_extreme_weights_and_discounts_stay_finite(void) {
   corridor(2, (int[]){50, 50}, 4, (int[]){10, 90, 95, 20}, (double[]){1e308, 1e308, 1e-300, 1});
-  mission.gamma = 1e-9;
+  mission.aim.gamma = 1e-9;
   for (int objective = 0; objective < 2; objective++) {
-    mission.objective = (uint8_t)objective;
+    mission.aim.kind = (uint8_t)objective;
     solve();
     TEST_ASSERT_TRUE(isfinite(solution.value) && isfinite(solution.expected_time));
     assert_near(40, solution.expected_time);
@@ -204,7 +204,7 @@ static double worth(int place, int now) {
   double sum = 0;
   for (int p = 0; p < mission.places; p++) sum += mission.weight[p];
   const double share = mission.weight[place] / sum;
-  return mission.objective == QTR_TIME ? -share * now : 10 * share * pow(mission.gamma, now > 0 ? now - 1 : 0);
+  return mission.aim.kind == QTR_TIME ? -share * now : 10 * share * pow(mission.aim.gamma, now > 0 ? now - 1 : 0);
 }
 
 static int is_open(const trial *game, int seeker, int place) {
@@ -370,7 +370,7 @@ static void random_game(uint32_t seed, int most) {
   draw_starts();
   draw_ways((int)(seed % 3));
   for (int p = 0; p < mission.places; p++) mission.weight[p] = 1 + draw(5);
-  mission.gamma = draw(2) ? 0.9 : 0.99;
+  mission.aim.gamma = draw(2) ? 0.9 : 0.99;
 }
 
 /* Every place once, at the step stated; both figures follow from the routes. Under the paper's rule a route may have
@@ -378,7 +378,7 @@ static void random_game(uint32_t seed, int most) {
 static void check_routes(const char *label) {
   int seen[MOST_PLACES] = {0};
   double value = 0, time = 0;
-  const int objective = mission.objective;
+  const int objective = mission.aim.kind;
   for (int i = 0; i < mission.seekers; i++) {
     int at = -1, now = 0;
     for (int v = 0; v < solution.length[i]; v++) {
@@ -388,13 +388,13 @@ static void check_routes(const char *label) {
       at = place;
       now = step;
       seen[place]++;
-      mission.objective = QTR_DISCOUNTED;
+      mission.aim.kind = QTR_DISCOUNTED;
       value += worth(place, step);
-      mission.objective = QTR_TIME;
+      mission.aim.kind = QTR_TIME;
       time -= worth(place, step);
     }
   }
-  mission.objective = (uint8_t)objective;
+  mission.aim.kind = (uint8_t)objective;
   for (int p = 0; p < mission.places; p++) TEST_ASSERT_EQUAL_INT_MESSAGE(1, seen[p], label);
   TEST_ASSERT_TRUE_MESSAGE(fabs(value - solution.value) < 1e-9, label);
   TEST_ASSERT_TRUE_MESSAGE(fabs(time - solution.expected_time) < 1e-9, label);
@@ -404,9 +404,9 @@ static void compare(uint32_t seed) {
   char label[200];
   const double best = brute_force();
   const int status = exact_solve(&solution, &mission, steps, &why);
-  const double found = mission.objective == QTR_TIME ? -solution.expected_time : solution.value;
+  const double found = mission.aim.kind == QTR_TIME ? -solution.expected_time : solution.value;
   snprintf(label, sizeof label, "seed %lu, %d places, %d seekers, objective %d, rule %d: enumerated %.9f, solved %.9f",
-           (unsigned long)seed, mission.places, mission.seekers, mission.objective, mission.rule, best, found);
+           (unsigned long)seed, mission.places, mission.seekers, mission.aim.kind, mission.rule, best, found);
   TEST_ASSERT_EQUAL_INT_MESSAGE(best == -INFINITY ? -1 : 0, status, label);
   if (status != 0) return;
   TEST_ASSERT_TRUE_MESSAGE(fabs(best - found) < 1e-9 * fmax(1, fabs(best)), label);
@@ -418,7 +418,7 @@ static void test_equals_enumeration_on_random_games(void) {
     for (int variant = 0; variant < 4; variant++) {
       setUp();
       random_game(seed, 6);
-      mission.objective = (uint8_t)(variant % 2);
+      mission.aim.kind = (uint8_t)(variant % 2);
       mission.rule = (uint8_t)(variant / 2);
       compare(seed);
     }
@@ -436,7 +436,7 @@ static void test_both_rules_have_one_optimum_where_all_is_connected(void) {
       snprintf(label, sizeof label, "seed %lu, objective %d", (unsigned long)seed, objective);
       setUp();
       random_game(seed, 8);
-      mission.objective = (uint8_t)objective;
+      mission.aim.kind = (uint8_t)objective;
       solve();
       const double apart = objective == QTR_TIME ? solution.expected_time : solution.value;
       mission.rule = QTR_RULE_PAPER;

@@ -53,7 +53,7 @@ static void test_gamma_and_keep_are_what_help_tells(void) {
   static qtr_mission mission;
   static tool_result result;
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_mission_default(&mission));
-  TEST_ASSERT_EQUAL_DOUBLE(0.99, mission.gamma);
+  TEST_ASSERT_EQUAL_DOUBLE(0.99, mission.aim.gamma);
   write_file("area.txt", "S..1\n");
   write_file("games.csv", "place\n0\n");
   run_tool(&result, "belief area.txt --history games.csv --json");

@@ -23,10 +23,10 @@ static const char *const WHAT = "the mission";
 static int read_gamma(input *in, tree *yaml, tree_node *root) {
   tree_node *node = tree_find(yaml, root, "gamma");
   if (node == NULL) return 0;
-  if (tree_number(yaml, node, "gamma", &in->mission.gamma)) return -1;
-  if (!(in->mission.gamma > 0.0 && in->mission.gamma < 1.0)) {
+  if (tree_number(yaml, node, "gamma", &in->mission.aim.gamma)) return -1;
+  if (!(in->mission.aim.gamma > 0.0 && in->mission.aim.gamma < 1.0)) {
     return tree_fault(yaml, node, "'gamma' is %g; give a discount between 0 and 1, both excluded, such as 0.99",
-                      in->mission.gamma);
+                      in->mission.aim.gamma);
   }
   in->gamma_given = true;
   return 0;
@@ -36,8 +36,8 @@ static int read_game(input *in, tree *yaml, tree_node *root) {
   int word;
   tree_node *node = tree_find(yaml, root, "objective");
   if (node != NULL) {
-    if (tree_word(yaml, node, "objective", words_objective, &word)) return -1;
-    in->mission.objective = (uint8_t)word;
+    if (tree_word(yaml, node, "objective", qtr_objective_names, &word)) return -1;
+    in->mission.aim.kind = (uint8_t)word;
     in->objective_given = true;
   }
   node = tree_find(yaml, root, "rule");

@@ -6,9 +6,7 @@
 #include "quarter/explore.h"
 #include "quarter/joint.h"
 #include "quarter/learner.h"
-#include "quarter/mission.h"
 
-const char *const words_objective[] = {[QTR_DISCOUNTED] = "discounted", [QTR_TIME] = "time", NULL};
 const char *const words_rule[] = {[QTR_RULE_FREE] = "free", [QTR_RULE_PAPER] = "paper", NULL};
 const char *const words_setting[] = {[QTR_SETTING_CERTIFIED] = "certified", [QTR_SETTING_PAPER] = "paper", NULL};
 const char *const words_exploration[] = {

@@ -1,9 +1,9 @@
-/* What users call the settings of a mission and of its learning: in mission files, on command lines, in reports. Each list is
+/* What users call the settings of a mission and of its learning: in mission files, on command lines, in reports; objectives
+ * bring their own (qtr_objective_names). Each list is
  * in the order of its enum and ended by NULL. */
 #ifndef QUARTER_HOST_WORDS_H
 #define QUARTER_HOST_WORDS_H
 
-extern const char *const words_objective[];    /* enum qtr_objective_kind */
 extern const char *const words_rule[];         /* enum qtr_rule */
 extern const char *const words_setting[];      /* enum qtr_setting */
 extern const char *const words_exploration[];  /* enum qtr_exploration */

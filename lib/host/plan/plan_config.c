@@ -7,7 +7,7 @@
 void plan_config_default(plan_config *config) {
   memset(config, 0, sizeof *config);
   config->made = MADE;
-  config->objective = PLAN_AS_STATED;
+  config->aim.kind = PLAN_AS_STATED;
   config->rule = PLAN_AS_STATED;
   qtr_learner_config_default(&config->learner);
   config->aggregation.region_size = 25;

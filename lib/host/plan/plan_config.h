@@ -9,7 +9,7 @@
 #include "host/input/input.h"
 #include "quarter/learner.h"
 
-enum { PLAN_AS_STATED = -1 }; /* of an objective or a rule: as the input says */
+enum { PLAN_AS_STATED = 255 }; /* of an objective or a rule: as the input says */
 
 /* What the learner plays on: the true map, or an aggregate of it by regions, by spots or by both. Sizes and diameters are
  * read where they apply. */
@@ -27,9 +27,8 @@ typedef struct {
 typedef struct {
   uint32_t made;         /* by plan_config_default(): settings that were not are refused */
   input_options reading; /* cell size, number of robots, what may be moved or left out */
-  int objective;         /* enum qtr_objective_kind, or PLAN_AS_STATED */
+  qtr_aim aim;           /* of kind PLAN_AS_STATED: the input's; and so with gamma 0 its gamma */
   int rule;              /* enum qtr_rule, or PLAN_AS_STATED */
-  double gamma;          /* above 0, below 1; 0: as the input says */
   qtr_learner_config learner;
   plan_aggregation aggregation;
   bool any_starts;    /* the table is to answer for starts in any region, */

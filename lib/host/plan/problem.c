@@ -12,9 +12,10 @@
 #define NAMES_SIZE 700
 
 static void override(qtr_mission *mission, const plan_config *config) {
-  if (config->objective != PLAN_AS_STATED) mission->objective = (uint8_t)config->objective;
+  const double gamma = config->aim.gamma > 0.0 ? config->aim.gamma : mission->aim.gamma;
+  if (config->aim.kind != PLAN_AS_STATED) mission->aim = config->aim;
   if (config->rule != PLAN_AS_STATED) mission->rule = (uint8_t)config->rule;
-  if (config->gamma > 0.0) mission->gamma = config->gamma;
+  mission->aim.gamma = gamma;
 }
 
 /* "place 3 (file:line), place 5 (file:line), ...", cut off when the room is used up. */
@@ -75,7 +76,7 @@ static int fault_discount(const problem *p, int place, fault *why) {
   return fault_set(why,
                    "%s: gamma %g leaves nothing to tell plans apart by: even the nearest place, %s, is %" PRIu32
                    " steps away; take a gamma nearer 1, such as %g, or --objective time",
-                   p->in.path, p->in.mission.gamma, name, nearest, mild_gamma(nearest));
+                   p->in.path, p->in.mission.aim.gamma, name, nearest, mild_gamma(nearest));
 }
 
 int problem_load(problem *p, const char *path, const plan_config *config, fault *why) {

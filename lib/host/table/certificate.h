@@ -8,10 +8,10 @@
 #include "quarter/policy.h"
 
 typedef struct {
-  bool by_time; /* the objective is the expected time */
+  uint8_t objective; /* enum qtr_objective_kind */
   bool certified;
   double gamma, value, expected_time, bound, gap;
-  double figure; /* value or expected time, whichever the objective is */
+  double figure; /* value or expected time, whichever the objective asks for */
   uint64_t seed;
   unsigned version[3]; /* of the library that wrote it */
 } table_certificate;
