@@ -165,11 +165,11 @@ static void put_records_out_of_order(void) {
   qtr_policy_lookup(&policy, &joint, &choice);
 }
 
-static void leave_the_passes(void) {
+static void choose_more_than_there_is(void) {
   qtr_seeker seeker;
-  qtr_seeker_init(&seeker, &policy, 0, NULL);
-  seeker.territory = 1;
-  qtr_seeker_visited(&seeker, qtr_seeker_target(&seeker));
+  qtr_seeker_init(&seeker, &policy, 0, NULL, 0);
+  seeker.division.moves = QTR_MAX_MOVES;
+  qtr_seeker_target(&seeker);
 }
 
 static void lay_out_more_than_32_bits(void) {
@@ -196,7 +196,7 @@ static void test_open_policy(void) {
   TEST_ASSERT_GREATER_THAN_UINT32(1, policy.records);
   expect_death("a node lies on the grid", move_a_node_off_the_grid);
   expect_death("records are in order", put_records_out_of_order);
-  expect_death("a territory is some seeker's", leave_the_passes);
+  expect_death("a place is chosen as often as the rule allows", choose_more_than_there_is);
   expect_death("sections have sizes of 32 bits", lay_out_more_than_32_bits);
   expect_death("and a grid that the build holds", lay_out_more_cells_than_there_are);
   expect_death("a field is of its grid", follow_a_field_of_another_grid);

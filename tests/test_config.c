@@ -36,7 +36,8 @@ static void test_robot_side_refuses_callers_of_other_sizes(void) {
   memset(&small, 0xA5, sizeof small);
   expect_refused(qtr_board_init_built(&small.board, FOREIGN), &small, sizeof small);
   expect_refused(qtr_deployment_init_built(&small.deployment, &policy, NULL, NULL, FOREIGN), &small, sizeof small);
-  expect_refused(qtr_seeker_init_built(&small.seeker, &policy, 0, NULL, FOREIGN), &small, sizeof small);
+  expect_refused(qtr_seeker_init_built(&small.seeker, &policy, 0, NULL, 0, FOREIGN), &small, sizeof small);
+  expect_refused(qtr_seeker_restore_built(&small.seeker, &policy, 0, NULL, 0, FOREIGN), &small, sizeof small);
   memset(&table_field, 0xA5, sizeof table_field);
   expect_refused(qtr_field_fill_built(&table_field, &policy.grid, 0, FOREIGN), &table_field, sizeof table_field);
   memset(&policy, 0xA5, sizeof policy);

@@ -90,12 +90,13 @@ static void test_seekers_of_one_policy_are_deployed_apart(void) {
   qtr_places_clear(&cleared);
   qtr_places_add(&cleared, 0);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_deployment_init(&deployment, &policy, &right, &cleared));
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_seeker_init(&elsewhere, &policy, 0, &deployment));
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_seeker_init(&at_home, &policy, 0, NULL));
-  TEST_ASSERT_EQUAL_UINT32(qtr_board_steps(&policy.board, 0, 2 + 1, 1), elsewhere.joint.remaining[0]);
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_seeker_init(&elsewhere, &policy, 0, &deployment, 0));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_seeker_init(&at_home, &policy, 0, NULL, 0));
+  TEST_ASSERT_EQUAL_UINT16(2 + 1, elsewhere.division.joint.node[0]);
   TEST_ASSERT_EQUAL_UINT16(1, qtr_seeker_target(&elsewhere));
-  TEST_ASSERT_TRUE(qtr_places_has(&elsewhere.joint.visited, 0));
-  TEST_ASSERT_FALSE(qtr_places_has(&at_home.joint.visited, 0));
+  TEST_ASSERT_EQUAL_UINT(1, qtr_seeker_left(&elsewhere, NULL));
+  TEST_ASSERT_EQUAL_UINT(2, qtr_seeker_left(&at_home, NULL));
+  TEST_ASSERT_TRUE(elsewhere.identity != at_home.identity);
 }
 
 int main(void) {

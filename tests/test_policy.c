@@ -239,22 +239,23 @@ static void test_record_that_changes_the_game_is_refused(void) {
 
 static void play_forged(unsigned self, const qtr_places *cleared) {
   qtr_seeker seeker;
-  uint8_t territory;
+  qtr_signal signal;
+  const qtr_cell home = qtr_policy_cell(&policy, (unsigned)policy.board.places + policy.board.start_of[self]);
   const unsigned most = (policy.board.places + 1u) * policy.board.seekers + 2u;
   qtr_deployment deployment;
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_deployment_init(&deployment, &policy, NULL, cleared));
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_seeker_init(&seeker, &policy, self, &deployment), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_seeker_init(&seeker, &policy, self, &deployment, 0), case_note);
   unsigned visits = 0;
   for (; qtr_seeker_target(&seeker) != QTR_STAND_DOWN; visits++) {
     const uint16_t target = qtr_seeker_target(&seeker);
     TEST_ASSERT_LESS_THAN_MESSAGE(policy.board.places, target, case_note);
     TEST_ASSERT_LESS_THAN_MESSAGE(most, visits, case_note);
-    TEST_ASSERT_TRUE_MESSAGE(qtr_seeker_field(&seeker, &table_field), case_note);
-    const qtr_cell next = qtr_field_next(&table_field, &policy.grid, qtr_policy_cell(&policy, 0));
-    TEST_ASSERT_TRUE_MESSAGE(next == QTR_NO_CELL || next < (unsigned)policy.grid.columns * policy.grid.rows, case_note);
+    if (!qtr_seeker_field(&seeker, &table_field, home)) break;
+    const qtr_cell next = qtr_field_next(&table_field, &policy.grid, home);
+    TEST_ASSERT_TRUE_MESSAGE(next < (unsigned)policy.grid.columns * policy.grid.rows, case_note);
     qtr_seeker_visited(&seeker, qtr_seeker_target(&seeker));
-    while (qtr_seeker_announce(&seeker, &territory))
-      TEST_ASSERT_LESS_THAN_MESSAGE(policy.board.seekers, territory, case_note);
+    while (qtr_seeker_announce(&seeker, &signal))
+      TEST_ASSERT_LESS_THAN_MESSAGE(policy.board.seekers, signal.territory, case_note);
   }
 }
 

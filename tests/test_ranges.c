@@ -5,56 +5,9 @@
 #include <string.h>
 
 #include "quarter/robot.h"
-#include "support/tables.h"
+#include "support/ranges.h"
 
 __extension__ typedef __int128 wide;
-
-static qtr_policy policy;
-static uint8_t *exact; /* the table, in memory that ends where it ends */
-
-void setUp(void) {
-  snprintf(case_note, sizeof case_note, "by hand");
-}
-
-void tearDown(void) {
-  free(exact);
-  exact = NULL;
-}
-
-static void open_random(const char *test, unsigned number, test_random *random) {
-  *random = random_case(test, number);
-  table_random(random, (mission_size){9, 7, 6, 4});
-  free(exact);
-  exact = malloc(table_size);
-  TEST_ASSERT_NOT_NULL(exact);
-  memcpy(exact, table_bytes, table_size);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_open(&policy, exact, table_size));
-}
-
-/* About the ends of the range 0..count-1, of a word and of half a word; or anywhere. */
-static unsigned any_number(test_random *random, unsigned count) {
-  const unsigned telling[] = {0,
-                              1,
-                              count - 1,
-                              count,
-                              count + 1,
-                              0x7FFF,
-                              0x8000,
-                              0xFFFE,
-                              0xFFFF,
-                              0x10000,
-                              0x7FFFFFFF,
-                              0x80000000u,
-                              0xFFFFFFFEu,
-                              0xFFFFFFFFu,
-                              32 * QTR_PLACE_WORDS,
-                              QTR_MAX_PLACES,
-                              QTR_MAX_SEEKERS};
-  const unsigned kind = random_below(random, 4);
-  if (kind == 0) return (unsigned)random_bits(random);
-  if (kind == 1) return random_below(random, count + 3);
-  return telling[random_below(random, sizeof telling / sizeof telling[0])];
-}
 
 /* ---- sets of places ---- */
 
@@ -357,41 +310,6 @@ static void test_board_of_any_numbers_is_refused_or_playable(void) {
   }
 }
 
-/* ---- the executor ---- */
-
-static void disturb(qtr_seeker *seeker, test_random *random) {
-  const unsigned place = any_number(random, policy.board.places);
-  const unsigned territory = any_number(random, policy.board.seekers);
-  const uint16_t before = qtr_seeker_target(seeker);
-  qtr_seeker_visited(seeker, place);
-  TEST_ASSERT_EQUAL_MESSAGE(place < policy.board.places, qtr_places_has(&seeker->visited, place), case_note);
-  if (place >= policy.board.places) TEST_ASSERT_EQUAL_HEX16_MESSAGE(before, qtr_seeker_target(seeker), case_note);
-  const uint16_t target = qtr_seeker_target(seeker);
-  const int signal = random_chance(random, 70) ? QTR_SIGNAL_TERRITORY_DONE : (int)any_number(random, 3);
-  qtr_seeker_hear(seeker, signal, territory);
-  if (signal != QTR_SIGNAL_FOUND && (signal != QTR_SIGNAL_TERRITORY_DONE || territory >= policy.board.seekers))
-    TEST_ASSERT_EQUAL_HEX16_MESSAGE(target, qtr_seeker_target(seeker), case_note);
-}
-
-static void test_executor_takes_any_words(void) {
-  for (unsigned number = 0; number < 160; number++) {
-    test_random random;
-    qtr_seeker seeker;
-    uint8_t territory;
-    open_random("words", number, &random);
-    const unsigned self = any_number(&random, policy.board.seekers);
-    const int status = qtr_seeker_init(&seeker, &policy, self, NULL);
-    TEST_ASSERT_EQUAL_INT_MESSAGE(self < policy.board.seekers ? QTR_OK : QTR_ERR_ARGUMENT, status, case_note);
-    for (unsigned words = 0; words < 30 && status == QTR_OK; words++) {
-      disturb(&seeker, &random);
-      const uint16_t target = qtr_seeker_target(&seeker);
-      TEST_ASSERT_TRUE_MESSAGE(target < policy.board.places || target == QTR_STAND_DOWN, case_note);
-      TEST_ASSERT_EQUAL_MESSAGE(target != QTR_STAND_DOWN, qtr_seeker_field(&seeker, &table_field), case_note);
-      while (qtr_seeker_announce(&seeker, &territory)) TEST_ASSERT_LESS_THAN(policy.board.seekers, territory);
-    }
-  }
-}
-
 static void test_objectives_are_two(void) {
   for (unsigned number = 0; number < 1000; number++) {
     test_random random = random_case("objectives", number);
@@ -421,7 +339,7 @@ static char *read_text(const char *path) {
   return into;
 }
 
-/* Each function declared in a header of the robot side is called in this file. */
+/* Each function declared in a header of the robot side is called in this file or its neighbour. */
 static void expect_all_called(const char *header, const char *calls) {
   char path[1000];
   unsigned count = 0;
@@ -442,10 +360,16 @@ static void expect_all_called(const char *header, const char *calls) {
 }
 
 static void test_every_public_function_of_the_robot_side_is_called_here(void) {
-  static const char *const headers[] = {"places.h", "grid.h",  "travel.h",     "key.h",     "board.h",  "joint.h",
-                                        "policy.h", "claim.h", "deployment.h", "nominal.h", "seeker.h", "status.h"};
-  static char calls[100000];
-  snprintf(calls, sizeof calls, "%s", read_text(QUARTER_SOURCE_DIR "/tests/test_ranges.c"));
+  static const char *const headers[] = {"places.h",   "grid.h",   "travel.h", "key.h",        "board.h",
+                                        "joint.h",    "policy.h", "claim.h",  "deployment.h", "nominal.h",
+                                        "division.h", "signal.h", "seeker.h", "status.h"};
+  static const char *const files[] = {"test_ranges.c", "test_ranges_executor.c", "support/ranges.h"};
+  static char calls[200000];
+  for (unsigned i = 0; i < sizeof files / sizeof files[0]; i++) {
+    char path[1000];
+    snprintf(path, sizeof path, QUARTER_SOURCE_DIR "/tests/%s", files[i]);
+    strcat(calls, read_text(path));
+  }
   for (unsigned i = 0; i < sizeof headers / sizeof headers[0]; i++) expect_all_called(headers[i], calls);
   const char *all = read_text(QUARTER_SOURCE_DIR "/include/quarter/robot.h");
   for (const char *at = all; (at = strstr(at, "#include \"quarter/")) != NULL; at += 10) {
@@ -470,7 +394,6 @@ int main(void) {
   RUN_TEST(test_seeker_or_choice_that_is_none_changes_nothing);
   RUN_TEST(test_starts_that_are_none_are_refused);
   RUN_TEST(test_board_of_any_numbers_is_refused_or_playable);
-  RUN_TEST(test_executor_takes_any_words);
   RUN_TEST(test_objectives_are_two);
   RUN_TEST(test_status_of_any_number_has_a_text);
   RUN_TEST(test_every_public_function_of_the_robot_side_is_called_here);

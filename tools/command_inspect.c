@@ -82,6 +82,19 @@ typedef struct {
   table_route routes[QTR_MAX_SEEKERS];
 } inspection;
 
+typedef struct {
+  char text[9];
+} identity;
+
+/* Of the division from the mission's own starts. */
+static identity identity_of(const table *t) {
+  identity i;
+  qtr_deployment home;
+  qtr_deployment_init(&home, &t->policy, NULL, NULL);
+  snprintf(i.text, sizeof i.text, "%08" PRIx32, qtr_deployment_identity(&home, &t->policy));
+  return i;
+}
+
 static void write_json(FILE *out, const void *what) {
   const inspection *i = what;
   const table *t = &i->t;
@@ -96,6 +109,7 @@ static void write_json(FILE *out, const void *what) {
   json_integer(&j, "format", QTR_POLICY_FORMAT);
   json_string(&j, "version", version);
   json_natural(&j, "bytes", t->bytes.size);
+  json_string(&j, "identity", identity_of(t).text);
   json_integer(&j, "columns", t->policy.grid.columns);
   json_integer(&j, "rows", t->policy.grid.rows);
   if (t->policy.frame.cell_size_um > 0) {
@@ -135,6 +149,7 @@ static void write_text(FILE *out, const void *what) {
   fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %s; bound %.6g, gap %.3g%%\n",
           c.certified ? "certified" : "not certified", c.value, c.gamma, measured(c.expected_time, "step").text,
           c.bound, 100.0 * c.gap);
+  fprintf(out, "identity %s: robots of another one are not believed\n", identity_of(t).text);
   fprintf(out, "%s of %d-byte keys\n", counted(t->policy.records, "state").text, 4 * t->policy.board.keys.words);
   report_routes(out, i->routes, t->policy.board.seekers);
 }

@@ -192,7 +192,7 @@ void bus_send_command(bus *b, const message_command *m) {
 }
 
 void bus_send_terminate(bus *b, const message_terminate *m) {
-  const quarter_terminate wire = {m->utime, m->sender, m->signal, m->territory};
+  const quarter_terminate wire = {m->utime, m->sender, m->signal, m->territory, (int32_t)m->identity, (int32_t)m->run};
   quarter_terminate_publish(b->lcm, CHANNEL_TERMINATE, &wire);
   note_sent(b, KIND_TERMINATE, m->utime);
 }
@@ -262,7 +262,8 @@ static bool take_terminate(const listener *l, const lcm_recv_buf_t *packet) {
   if (quarter_terminate_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
   if (!sound_robot(l, wire.sender) || !sound_robot(l, wire.territory)) return false;
   if (wire.signal != QUARTER_TERMINATE_FOUND && wire.signal != QUARTER_TERMINATE_TERRITORY_DONE) return false;
-  const message_terminate m = {wire.utime, wire.sender, wire.signal, wire.territory};
+  const message_terminate m = {wire.utime,        wire.sender, wire.signal, wire.territory, (uint32_t)wire.identity,
+                               (uint32_t)wire.run};
   ((void (*)(void *, const message_terminate *))l->hear)(l->user, &m);
   return true;
 }

@@ -35,8 +35,9 @@ typedef struct {
 typedef struct {
   int64_t utime;
   int sender;
-  int signal; /* enum qtr_signal */
+  int signal; /* enum qtr_signal_kind */
   int territory;
+  uint32_t identity, run; /* as of a qtr_signal */
 } message_terminate;
 
 enum message_state { STATE_ALIVE = 0, STATE_STOPPED = 1, STATE_LOST = 2, STATE_STUCK = 3 };

@@ -47,7 +47,12 @@ static void hear_command(void *user, const message_command *m) {
 static void hear_terminate(void *user, const message_terminate *m) {
   arena *a = user;
   a->signals++;
-  if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory >= a->robots || m->sender >= a->robots) return;
+  if (m->sender >= a->robots) return;
+  if (m->identity != a->identity || m->run != a->setup.run) {
+    a->stranger = m->sender;
+    return;
+  }
+  if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory >= a->robots) return;
   if (a->done[m->territory]) return;
   a->done[m->territory] = true;
   note(a, (arena_event){0, EVENT_DONE, m->sender, -1, m->territory, 0.0});
@@ -66,6 +71,7 @@ static int draw_mine(const arena *a, rng *dice) {
 
 int arena_open(arena *a, const table *t, bus *b, const arena_setup *setup, fault *why) {
   rng dice;
+  qtr_deployment home;
   memset(a, 0, sizeof *a);
   a->t = t;
   a->b = b;
@@ -76,6 +82,9 @@ int arena_open(arena *a, const table *t, bus *b, const arena_setup *setup, fault
   if (a->robots > DEMO_MOST_ROBOTS || a->places > DEMO_MOST_PLACES)
     return fault_set(why, "the demo holds %d robots and %d places at most; this table has %d and %d", DEMO_MOST_ROBOTS,
                      DEMO_MOST_PLACES, a->robots, a->places);
+  qtr_deployment_init(&home, &t->policy, NULL, NULL);
+  a->identity = qtr_deployment_identity(&home, &t->policy);
+  a->stranger = -1;
   rng_seed(&dice, setup->seed);
   a->mine = setup->mine == -1 ? draw_mine(a, &dice) : setup->mine;
   a->w = world_new(&t->policy, rng_next(&dice));

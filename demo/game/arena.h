@@ -40,6 +40,7 @@ typedef struct {
   int mine;                   /* place; -1: drawn by the likelihoods; -2: there is none */
   const fault_script *faults; /* NULL: none */
   double time_limit;          /* seconds */
+  uint32_t run;               /* of the robots' signals */
 } arena_setup;
 
 /* Of one robot. */
@@ -75,6 +76,8 @@ typedef struct {
   double found_at;             /* seconds; below 0: not yet */
   int duplicates, deadlocks;
   uint64_t commands, signals; /* heard */
+  uint32_t identity;          /* of the signals of robots that play this table */
+  int stranger;               /* a robot that said something of another table or run; -1: none */
   int events;
   arena_event event[ARENA_EVENTS];
 } arena;

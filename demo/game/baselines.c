@@ -36,17 +36,20 @@ static void visited(void *self, uint16_t place) {
   choose(b);
 }
 
-static void hear(void *self, int signal, unsigned territory) {
+static void found(void *self) {
   baseline *b = self;
-  (void)territory;
-  if (signal != QTR_SIGNAL_FOUND) return;
   b->found = true;
   b->target = QTR_STAND_DOWN;
 }
 
-static bool announce(void *self, uint8_t *territory) {
+static bool hear(void *self, const qtr_signal *signal) {
+  if (signal->kind == QTR_SIGNAL_FOUND) found(self);
+  return true;
+}
+
+static bool announce(void *self, qtr_signal *signal) {
   (void)self;
-  (void)territory;
+  (void)signal;
   return false;
 }
 
@@ -61,5 +64,5 @@ void baseline_init(baseline *b, const qtr_policy *policy, int self, baseline *cr
 }
 
 robot_pilot baseline_pilot(baseline *b) {
-  return (robot_pilot){b, target, visited, hear, announce};
+  return (robot_pilot){b, 0, 0, target, visited, found, hear, announce};
 }

@@ -38,7 +38,7 @@ double game_plan_seconds(const table *t) {
 
 static robot_pilot make_pilot(game *g, const game_setup *setup, int i) {
   if (setup->strategy == STRATEGY_PLAN) {
-    qtr_seeker_init(&g->seeker[i], &setup->t->policy, (unsigned)i, NULL);
+    qtr_seeker_init(&g->seeker[i], &setup->t->policy, (unsigned)i, NULL, setup->arena.run);
     return robot_pilot_of_plan(&g->seeker[i]);
   }
   return baseline_pilot(&g->baseline[i]);

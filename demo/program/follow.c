@@ -20,6 +20,7 @@ typedef struct {
   message_status last;
   bool done[DEMO_MOST_ROBOTS];
   bool warned; /* of another mission's game */
+  uint32_t identity;
 } follower;
 
 static double seconds(int64_t utime) {
@@ -41,7 +42,9 @@ static void hear_pose(void *user, const message_pose *m) {
 
 static void hear_terminate(void *user, const message_terminate *m) {
   follower *f = user;
-  if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory >= f->robots || m->sender >= f->robots) return;
+  if (m->identity != f->identity || m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory >= f->robots ||
+      m->sender >= f->robots)
+    return;
   if (!f->done[m->territory]) tell(f, m->utime, EVENT_DONE, m->sender, -1, m->territory);
   f->done[m->territory] = true;
 }
@@ -102,6 +105,9 @@ static void hear_status(void *user, const message_status *m) {
 int follow(const settings *s, const plan *p, const volatile int *interrupted, fault *why) {
   bus *b;
   follower f = {.p = p, .g = ground_of(&p->t.policy), .robots = p->t.policy.board.seekers};
+  qtr_deployment home;
+  qtr_deployment_init(&home, &p->t.policy, NULL, NULL);
+  f.identity = qtr_deployment_identity(&home, &p->t.policy);
   if (bus_open(&b, s->lcm_url, why) != 0) return -1;
   int status = live_open(&f.view, s->port, why);
   if (status == 0) {

@@ -94,12 +94,13 @@ static void add_mark(words *w, const char *name, bool given) {
 }
 
 static pid_t start_world(const crew *c, const settings *s) {
-  char seed[32], speed[32], mine[16], robots[16], json[PATH_MAX + 16];
+  char seed[32], speed[32], mine[16], robots[16], run[16], json[PATH_MAX + 16];
   words w = {0, {NULL}};
   snprintf(seed, sizeof seed, "%llu", (unsigned long long)s->seed);
   snprintf(speed, sizeof speed, "%.17g", s->speed > 0.0 ? s->speed : 1.0);
   snprintf(mine, sizeof mine, s->mine == SETTINGS_NO_MINE ? "none" : "%d", s->mine);
   snprintf(robots, sizeof robots, "%d", s->robots);
+  snprintf(run, sizeof run, "%d", s->run);
   snprintf(json, sizeof json, s->json_path != NULL ? "--json=%s" : "--json", s->json_path);
   add(&w, "quarter-world");
   add(&w, s->mission);
@@ -110,6 +111,7 @@ static pid_t start_world(const crew *c, const settings *s) {
   add_pair(&w, "--log", s->log);
   add_pair(&w, "--faults", s->faults);
   add_pair(&w, "--lcm-url", s->lcm_url);
+  add_pair(&w, "--run-number", run);
   add_pair(&w, "--mine", s->mine != -1 ? mine : NULL);
   add_pair(&w, "--robots", s->robots > 0 ? robots : NULL);
   add_mark(&w, json, s->json);
@@ -119,13 +121,15 @@ static pid_t start_world(const crew *c, const settings *s) {
 }
 
 static pid_t start_robot(const crew *c, const settings *s, int number) {
-  char self[16];
+  char self[16], run[16];
   words w = {0, {NULL}};
   snprintf(self, sizeof self, "%d", number);
+  snprintf(run, sizeof run, "%d", s->run);
   add(&w, "quarter-robot");
   add(&w, c->table);
   add_pair(&w, "--robot", self);
   add_pair(&w, "--lcm-url", s->lcm_url);
+  add_pair(&w, "--run-number", run);
   add_mark(&w, "--clear-all", s->clear_all);
   return start(c, "quarter-robot", w.word);
 }

@@ -8,6 +8,7 @@
 
 #include "bus.h"
 #include "host/base/clock.h"
+#include "host/base/count.h"
 #include "host/table/table_check.h"
 #include "patience.h"
 #include "printing.h"
@@ -23,6 +24,7 @@ static const char help[] =
     "\n"
     "      --robot N       which robot, from 0\n"
     "      --lcm-url URL   the bus (default: LCM_DEFAULT_URL, or udpm on this machine)\n"
+    "      --run-number N  which search by this table it is (default 0): signals of another one are ignored\n"
     "      --clear-all     a find stops nobody\n"
     "      --version       print it\n"
     "\n"
@@ -32,6 +34,7 @@ static const char help[] =
 typedef struct {
   const char *table, *url;
   int self;
+  long run;
   bool clear_all, version;
 } words;
 
@@ -101,31 +104,41 @@ static void *read_whole(const char *path, uint32_t *size, const char **why) {
   return bytes;
 }
 
-/* A robot's number; -1: it is none. */
-static int number_of(const char *text) {
+/* A number below `most`; -1: it is none. */
+static long number_of(const char *text, long most) {
   char *end;
   const long number = strtol(text, &end, 10);
-  return end != text && *end == '\0' && number >= 0 && number < DEMO_MOST_ROBOTS ? (int)number : -1;
+  return end != text && *end == '\0' && number >= 0 && number < most ? number : -1;
+}
+
+/* 0: more may come; 1: something to be printed; -1: no such option. */
+static int take(words *w, int letter) {
+  switch (letter) {
+  case 'r': w->self = (int)number_of(optarg, DEMO_MOST_ROBOTS); return 0;
+  case 'n': w->run = number_of(optarg, 0x7FFFFFFF); return 0;
+  case 'u': w->url = optarg; return 0;
+  case 'c': w->clear_all = true; return 0;
+  case 'v': w->version = true; return 1;
+  default: return letter == 'h' ? 1 : -1;
+  }
 }
 
 static int parse(words *w, int argc, char **argv) {
-  static const struct option longs[] = {
-      {"robot", required_argument, NULL, 'r'}, {"lcm-url", required_argument, NULL, 'u'},
-      {"clear-all", no_argument, NULL, 'c'},   {"help", no_argument, NULL, 'h'},
-      {"version", no_argument, NULL, 'v'},     {NULL, 0, NULL, 0}};
+  static const struct option longs[] = {{"robot", required_argument, NULL, 'r'},
+                                        {"lcm-url", required_argument, NULL, 'u'},
+                                        {"run-number", required_argument, NULL, 'n'},
+                                        {"clear-all", no_argument, NULL, 'c'},
+                                        {"help", no_argument, NULL, 'h'},
+                                        {"version", no_argument, NULL, 'v'},
+                                        {NULL, 0, NULL, 0}};
   int letter;
   *w = (words){.self = -1};
   while ((letter = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
-    switch (letter) {
-    case 'r': w->self = number_of(optarg); break;
-    case 'u': w->url = optarg; break;
-    case 'c': w->clear_all = true; break;
-    case 'v': w->version = true; return 1;
-    default: return letter == 'h' ? 1 : -1;
-    }
+    const int asked = take(w, letter);
+    if (asked != 0) return asked;
   }
   w->table = optind + 1 == argc ? argv[optind] : NULL;
-  return w->table != NULL && w->self >= 0 ? 0 : -1;
+  return w->table != NULL && w->self >= 0 && w->run >= 0 ? 0 : -1;
 }
 
 int main(int argc, char **argv) {
@@ -148,12 +161,15 @@ int main(int argc, char **argv) {
     fprintf(stderr, "quarter-robot: %s\n", why.text);
     return 2;
   }
-  status = qtr_seeker_init(&seeker, &policy, (unsigned)w.self, NULL);
+  status = qtr_seeker_init(&seeker, &policy, (unsigned)w.self, NULL, (uint32_t)w.run);
   if (status != QTR_OK) return complain("--robot", "the table has no such robot");
   if (bus_open(&b, w.url, &why) != 0) return complain("the bus", why.text);
   signal(SIGINT, on_end);
   signal(SIGTERM, on_end);
   status = run(b, &w);
+  if (qtr_seeker_foreign(&seeker) > 0)
+    fprintf(stderr, "quarter-robot: robot %d: %s of another table, other starts or another run ignored\n", w.self,
+            counted(qtr_seeker_foreign(&seeker), "signal").text);
   bus_close(b);
   free(bytes);
   return status;

@@ -23,12 +23,13 @@ static const char help[] =
     "robot. The game begins when all robots answer, and runs in real time.\n"
     "\n"
     "Options, as of quarter-demo: -o, --log, --seed, --mine, --clear-all, --faults, --robots, --table, --speed, "
-    "--lcm-url,\n"
+    "--lcm-url, --run-number,\n"
     "--json, --quiet, --version.\n"
     "\n"
     "Exit status: 0 the game is over; 2 bad input, no robots, another world on the bus, or an output that cannot be "
     "written;\n"
-    "3 broken off, replay and log whole: its robots fell silent; 130 ended by Ctrl-C, replay and log whole;\n"
+    "3 broken off, replay and log whole: its robots fell silent, or one plays another table; 130 ended by Ctrl-C, "
+    "replay and log whole;\n"
     "before the game has begun at once, with nothing written.\n";
 
 static volatile int interrupted;
@@ -111,6 +112,16 @@ static double play(bus *b, record *r, double speed) {
   return held;
 }
 
+/* Whether all robots played the world's own division: others do not believe them, nor they the others. */
+static int check_one_mission(fault *why) {
+  if (a.stranger < 0) return 0;
+  return fault_set(
+      why,
+      "robot %d plays another table than this world's, or from other starts, or another --run-number: give "
+      "all robots the same; until then they do not believe one another",
+      a.stranger);
+}
+
 /* Whether robots went away in the midst of it. One whose program ended is as good as lost, and the others go on without it. */
 static int check_whole(double held, fault *why) {
   if (held > PATIENCE_SILENCE && arena_silent(&a) > 0)
@@ -131,7 +142,7 @@ static int finish(const settings *s, bus *b, record *r, double begin, double hel
   result.wall_seconds = clock_seconds() - begin;
   if (bus_end_log(b, why) != 0) return EXIT_BAD_INPUT;
   if (s->replay != NULL && record_page(s->replay, r, &a, &result, why) != 0) return EXIT_BAD_INPUT;
-  if (interrupted == 0 && check_whole(held, why) != 0) return EXIT_BROKEN_OFF;
+  if (interrupted == 0 && (check_whole(held, why) != 0 || check_one_mission(why) != 0)) return EXIT_BROKEN_OFF;
   return outcome_print(&p, &result, s, why) == 0 ? 0 : EXIT_BAD_INPUT;
 }
 
@@ -150,7 +161,8 @@ static int play_with_robots(const settings *s, bus *b, fault *why) {
 
 /* The exit status, with *why set if it is not 0. */
 static int serve(const settings *s, bus *b, const fault_script *faults, fault *why) {
-  const arena_setup setup = {s->seed, s->clear_all, s->mine, faults, 4 * game_plan_seconds(&p.t) + 120};
+  const arena_setup setup = {s->seed,         s->clear_all, s->mine, faults, 4 * game_plan_seconds(&p.t) + 120,
+                             (uint32_t)s->run};
   if (check_alone(b, why) != 0) return EXIT_BAD_INPUT;
   if (s->log != NULL && bus_record(b, s->log, why) != 0) return EXIT_BAD_INPUT;
   if (arena_open(&a, &p.t, b, &setup, why) != 0) return EXIT_BAD_INPUT;

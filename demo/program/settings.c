@@ -92,6 +92,11 @@ static option_table records = {
      OPTION_FIELD(settings, mine),
      .least = 0,
      .most = DEMO_MOST_PLACES - 1},
+    {.name = "run-number",
+     .argument = "N",
+     .help = "which search by this table it is (default %s): signals of another one are ignored",
+     .standard = "0",
+     WHOLE(run, 0, 2147483647)},
     {.name = "runs", .argument = "N", .help = "N games with seeds from --seed on", WHOLE(runs, 1, 1000000)},
     {.name = "strategy",
      .argument = "WHAT",
@@ -122,12 +127,12 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
-    {"output", NULL, 0},     {"log", NULL, 0},         {"seed", NULL, 0},    {"mine", NULL, 0},
-    {"clear-all", NULL, 0},  {"faults", NULL, 0},      {"robots", NULL, 0},  {"table", NULL, 0},
-    {"save-table", NULL, 0}, {"learn-limit", NULL, 0}, {"speed", NULL, 0},   {"live [port]", NULL, 0},
-    {"follow", NULL, 0},     {"processes", NULL, 0},   {"lcm-url", NULL, 0}, {"runs", NULL, 0},
-    {"lose-one", NULL, 0},   {"strategy", NULL, 0},    {"json", NULL, 0},    {"quiet", NULL, 0},
-    {"version", NULL, 0},    {NULL, NULL, 0},
+    {"output", NULL, 0},     {"log", NULL, 0},         {"seed", NULL, 0},     {"mine", NULL, 0},
+    {"clear-all", NULL, 0},  {"faults", NULL, 0},      {"robots", NULL, 0},   {"table", NULL, 0},
+    {"save-table", NULL, 0}, {"learn-limit", NULL, 0}, {"speed", NULL, 0},    {"live [port]", NULL, 0},
+    {"follow", NULL, 0},     {"processes", NULL, 0},   {"lcm-url", NULL, 0},  {"run-number", NULL, 0},
+    {"runs", NULL, 0},       {"lose-one", NULL, 0},    {"strategy", NULL, 0}, {"json", NULL, 0},
+    {"quiet", NULL, 0},      {"version", NULL, 0},     {NULL, NULL, 0},
 };
 
 static const char outro[] = "\n"

@@ -25,6 +25,7 @@ typedef struct {
   int robots;   /* 0: as the mission says */
   int mine;     /* place; or SETTINGS_ANY_MINE, drawn; or SETTINGS_NO_MINE */
   int runs;     /* 0: one game */
+  int run;      /* number of the search, in all signals */
   int strategy; /* enum game_strategy */
   uint64_t seed;
   double speed;       /* times real time; 0: as fast as can be */

@@ -23,16 +23,21 @@ static void plan_visited(void *self, uint16_t place) {
   qtr_seeker_visited(self, place);
 }
 
-static void plan_hear(void *self, int signal, unsigned territory) {
-  qtr_seeker_hear(self, signal, territory);
+static void plan_found(void *self) {
+  qtr_seeker_found(self);
 }
 
-static bool plan_announce(void *self, uint8_t *territory) {
-  return qtr_seeker_announce(self, territory);
+static bool plan_hear(void *self, const qtr_signal *signal) {
+  return qtr_seeker_hear(self, signal);
+}
+
+static bool plan_announce(void *self, qtr_signal *signal) {
+  return qtr_seeker_announce(self, signal);
 }
 
 robot_pilot robot_pilot_of_plan(qtr_seeker *seeker) {
-  return (robot_pilot){seeker, plan_target, plan_visited, plan_hear, plan_announce};
+  return (robot_pilot){seeker,       seeker->identity, seeker->run, plan_target,
+                       plan_visited, plan_found,       plan_hear,   plan_announce};
 }
 
 void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, robot_pilot pilot, robot_voice voice) {
@@ -54,7 +59,7 @@ bool robot_stopped(const robot *r) {
 
 static void say_signal(void *user, int signal, int territory) {
   const robot *r = user;
-  const message_terminate m = {r->utime, r->self, signal, territory};
+  const message_terminate m = {r->utime, r->self, signal, territory, r->pilot.identity, r->pilot.run};
   r->voice.terminate(r->voice.user, &m);
 }
 
@@ -74,9 +79,13 @@ static void rest(robot *r) {
   gossip_repeat(&r->known, r->utime, say_signal, r);
 }
 
-static void learn(robot *r, int signal, int territory) {
-  if (signal == QTR_SIGNAL_FOUND && r->clear_all) return;
-  if (gossip_learn(&r->known, signal, territory)) r->pilot.hear(r->pilot.self, signal, (unsigned)territory);
+/* A signal as the message has it. False for one that says nothing which a robot could say. */
+static bool signal_of(qtr_signal *signal, const message_terminate *m) {
+  const bool is_found = m->signal == QTR_SIGNAL_FOUND;
+  if (!is_found && m->signal != QTR_SIGNAL_TERRITORY_DONE) return false;
+  if (!is_found && (m->territory < 0 || m->territory >= DEMO_MOST_ROBOTS)) return false;
+  *signal = (qtr_signal){m->identity, m->run, (uint8_t)m->signal, (uint8_t)(is_found ? 0 : m->territory)};
+  return true;
 }
 
 void robot_hear_pose(robot *r, const message_pose *m) {
@@ -88,8 +97,10 @@ void robot_hear_pose(robot *r, const message_pose *m) {
 }
 
 void robot_hear_terminate(robot *r, const message_terminate *m) {
-  if (m->sender == r->self) return;
-  learn(r, m->signal, m->signal == QTR_SIGNAL_FOUND ? 0 : m->territory);
+  qtr_signal signal;
+  if (m->sender == r->self || !signal_of(&signal, m)) return;
+  if (signal.kind == QTR_SIGNAL_FOUND && r->clear_all) return;
+  if (r->pilot.hear(r->pilot.self, &signal)) gossip_learn(&r->known, signal.kind, signal.territory);
   if (r->known.news && robot_stopped(r)) rest(r);
 }
 
@@ -130,14 +141,17 @@ static bool is_near(const robot *r, const message_scan *m, uint16_t target) {
 /* The sensor was read over the target: it is there, or the robot goes on to the next. */
 static void heed_reading(robot *r, const message_scan *m) {
   if (!m->read) return;
-  if (m->mine) learn(r, QTR_SIGNAL_FOUND, 0);
+  if (m->mine && !r->clear_all) {
+    r->pilot.found(r->pilot.self);
+    gossip_learn(&r->known, QTR_SIGNAL_FOUND, 0);
+  }
   if (r->asked == QTR_STAND_DOWN || r->known.found || away_from(r, m, r->asked) > IN_RANGE) return;
   r->pilot.visited(r->pilot.self, r->asked);
 }
 
 static void take_announcements(robot *r) {
-  uint8_t territory;
-  while (r->pilot.announce(r->pilot.self, &territory)) gossip_learn(&r->known, QTR_SIGNAL_TERRITORY_DONE, territory);
+  qtr_signal signal;
+  while (r->pilot.announce(r->pilot.self, &signal)) gossip_learn(&r->known, signal.kind, signal.territory);
 }
 
 /* Who makes no way tries the other side of the road: a lost robot may lie just where one would turn. On slow ground all takes

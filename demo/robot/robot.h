@@ -13,10 +13,12 @@
 /* Where a robot goes next. The plan's pilot is the policy table's; there are others to compare it with. */
 typedef struct {
   void *self;
-  uint16_t (*target)(void *self);              /* place; QTR_STAND_DOWN: nothing left to do */
-  void (*visited)(void *self, uint16_t place); /* it was there and found nothing */
-  void (*hear)(void *self, int signal, unsigned territory);
-  bool (*announce)(void *self, uint8_t *territory); /* a territory that it has finished */
+  uint32_t identity, run;                             /* of its signals */
+  uint16_t (*target)(void *self);                     /* place; QTR_STAND_DOWN: nothing left to do */
+  void (*visited)(void *self, uint16_t place);        /* it was there and found nothing */
+  void (*found)(void *self);                          /* it was there and found the target */
+  bool (*hear)(void *self, const qtr_signal *signal); /* false: it is of another search */
+  bool (*announce)(void *self, qtr_signal *signal);   /* what it has finished, or found */
 } robot_pilot;
 
 /* The pilot of the plan; `seeker` must be initialised and outlive it. */

@@ -21,4 +21,8 @@ typedef struct {
 int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *policy, const qtr_cell *starts,
                               const qtr_places *cleared, uint32_t config_id);
 
+/* What tells this division of the ground from every other: the CRC-32 of the table, then of the start nodes (2 bytes each) and
+ * the places cleared (a bit each). Signals carry it, so that robots which play other divisions do not believe one another. */
+uint32_t qtr_deployment_identity(const qtr_deployment *deployment, const qtr_policy *policy);
+
 #endif

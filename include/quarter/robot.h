@@ -6,6 +6,7 @@
 #include "quarter/claim.h"
 #include "quarter/config.h"
 #include "quarter/deployment.h"
+#include "quarter/division.h"
 #include "quarter/grid.h"
 #include "quarter/joint.h"
 #include "quarter/key.h"
@@ -13,6 +14,7 @@
 #include "quarter/places.h"
 #include "quarter/policy.h"
 #include "quarter/seeker.h"
+#include "quarter/signal.h"
 #include "quarter/status.h"
 #include "quarter/travel.h"
 

@@ -28,7 +28,8 @@ enum {
   QTR_ERR_DISCOUNT = -17,    /* mission: gamma leaves next to nothing of even the nearest place (quarter/game.h) */
   QTR_ERR_TRAVEL = -18,      /* table: travel times that contradict one another, or a place that no seeker can reach */
   QTR_ERR_CERTIFICATE = -19, /* table: a value, bound or gap that is no number, or that the others contradict */
-  QTR_ERR_STOPPED = -20      /* the caller's watch ended the work before it was done (quarter/watch.h) */
+  QTR_ERR_STOPPED = -20,     /* the caller's watch ended the work before it was done (quarter/watch.h) */
+  QTR_ERR_SAVE = -21         /* save: torn, or of another robot, table or format */
 };
 
 /* One line of English for a status, never NULL; static storage. */

@@ -21,7 +21,8 @@ static const char *const texts[] = {"success",
                                     "the discount leaves next to nothing of even the nearest place",
                                     "the table's travel times contradict one another, or leave a place out of reach",
                                     "the table's value, bound and gap are no numbers, or contradict one another",
-                                    "stopped before the work was done"};
+                                    "stopped before the work was done",
+                                    "the save is torn, or of another robot or table"};
 
 const char *qtr_strerror(int status) {
   const int count = (int)(sizeof texts / sizeof texts[0]);

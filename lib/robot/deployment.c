@@ -3,7 +3,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "core/bytes.h"
+#include "core/crc.h"
 #include "quarter/status.h"
+#include "robot/bits.h"
+#include "robot/layout.h"
 
 /* The start that stands for a cell: its region's, or on a table without regions the start at that cell; `starts` or more
  * if there is none. */
@@ -36,6 +40,21 @@ int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *poli
   for (unsigned i = 0; i < policy->board.seekers; i++)
     deployment->start_of[i] = home ? policy->board.start_of[i] : (uint16_t)start_at(policy, starts[i]);
   qtr_places_clear(&deployment->cleared);
-  if (cleared != NULL) deployment->cleared = *cleared;
+  for (unsigned place = 0; cleared != NULL && place < policy->board.places; place++)
+    if (qtr_places_has(cleared, place)) qtr_places_add(&deployment->cleared, place);
   return QTR_OK;
+}
+
+uint32_t qtr_deployment_identity(const qtr_deployment *deployment, const qtr_policy *policy) {
+  uint32_t crc = load32_le(policy->bytes + QTR_POLICY_CRC);
+  for (unsigned i = 0; i < policy->board.seekers; i++) {
+    uint8_t node[2];
+    store16_le(node, (uint32_t)policy->board.places + deployment->start_of[i]);
+    crc = qtr_crc32_add(crc, node, sizeof node);
+  }
+  for (uint32_t i = 0; i < bits_size(policy->board.places); i++) {
+    const uint8_t cleared = bits_byte(deployment->cleared.word, i);
+    crc = qtr_crc32_add(crc, &cleared, 1);
+  }
+  return crc;
 }

@@ -3,115 +3,249 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "quarter/nominal.h"
 #include "quarter/status.h"
 
 static bool set_has(const qtr_seeker_set *set, unsigned seeker) {
-  return (set->word[seeker / 32] >> (seeker % 32)) & 1u;
+  return ((set->word[seeker / 32] >> (seeker % 32)) & 1u) != 0;
 }
 
 static void set_add(qtr_seeker_set *set, unsigned seeker) {
   set->word[seeker / 32] |= (uint32_t)1 << (seeker % 32);
 }
 
-/* Begin the current territory: its seeker's route is played from the start of the game. */
-static void enter_territory(qtr_seeker *seeker) {
-  seeker->missed = false;
-  qtr_joint_start(&seeker->joint, &seeker->policy->board, seeker->deployment.start_of, &seeker->deployment.cleared);
+static void set_remove(qtr_seeker_set *set, unsigned seeker) {
+  set->word[seeker / 32] &= ~((uint32_t)1 << (seeker % 32));
 }
 
-/* Leave the current territory for the next one that nobody is known to have finished. */
-static bool next_territory(qtr_seeker *seeker) {
-  const unsigned seekers = seeker->policy->board.seekers;
-  while (++seeker->pass < seekers) {
-    seeker->territory = (uint8_t)((seeker->self + seeker->pass) % seekers);
-    if (set_has(&seeker->done, seeker->territory)) continue;
-    enter_territory(seeker);
-    return true;
-  }
-  return false;
-}
-
-static bool in_reach(const qtr_seeker *seeker, uint16_t place) {
-  const qtr_board *board = &seeker->policy->board;
-  const unsigned start = (unsigned)board->places + seeker->deployment.start_of[seeker->self];
-  return qtr_board_steps(board, seeker->self, start, place) != QTR_NEVER;
-}
-
-/* The territory's route is at its end. If this robot could not reach all of it, it is not done. */
-static void finish_territory(qtr_seeker *seeker) {
-  if (seeker->missed) return;
-  set_add(&seeker->done, seeker->territory);
-  set_add(&seeker->announce, seeker->territory);
-}
-
-static void next_target(qtr_seeker *seeker) {
-  /* A territory is some seeker's route: as the passes go by, each seeker's once, the own one first. */
-  QTR_ASSERT(seeker->territory == (seeker->self + seeker->pass) % seeker->policy->board.seekers);
-  for (;;) {
-    seeker->target = qtr_policy_play(seeker->policy, &seeker->joint, seeker->territory, NULL, &seeker->off_table);
-    if (seeker->target == QTR_STAND_DOWN) {
-      finish_territory(seeker);
-      if (!next_territory(seeker)) return;
-      continue;
-    }
-    if (qtr_places_has(&seeker->visited, seeker->target)) continue;
-    if (in_reach(seeker, seeker->target)) return;
-    seeker->missed = true;
-  }
+static unsigned seekers_of(const qtr_seeker *seeker) {
+  return seeker->policy->board.seekers;
 }
 
 int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_deployment *deployment,
-                          uint32_t config_id) {
+                          uint32_t run, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   if (self >= policy->board.seekers) return QTR_ERR_ARGUMENT;
   memset(seeker, 0, sizeof *seeker);
   seeker->policy = policy;
   seeker->self = (uint8_t)self;
-  seeker->territory = (uint8_t)self;
+  seeker->run = run;
   /* At home by hand: qtr_deployment_init() would bring its search for starts into the flash of robots that have no use for
    * it. */
   memcpy(seeker->deployment.start_of, policy->board.start_of, sizeof seeker->deployment.start_of);
   if (deployment != NULL) seeker->deployment = *deployment;
-  enter_territory(seeker);
-  next_target(seeker);
+  seeker->identity = qtr_deployment_identity(&seeker->deployment, policy);
+  qtr_division_begin(&seeker->division, policy, &seeker->deployment);
   return QTR_OK;
 }
 
-uint16_t qtr_seeker_target(const qtr_seeker *seeker) {
+/* ---- what is known, and what follows from it ---- */
+
+/* Territories that this robot has scanned whole: they are done, and to be announced. One without places is so from the start.
+ * When the division has just been worked out, those known to be done are announced too: after a reset nobody knows whether
+ * they were. */
+static void find_finished(qtr_seeker *seeker, bool is_first) {
+  const qtr_division *division = &seeker->division;
+  qtr_seeker_set open;
+  memset(&open, 0, sizeof open);
+  for (unsigned i = 0; i < division->moves; i++)
+    if (!qtr_places_has(&seeker->visited, division->place[i])) set_add(&open, division->seeker[i]);
+  for (unsigned t = 0; t < seekers_of(seeker); t++) {
+    if (set_has(&open, t) || (set_has(&seeker->done, t) && !is_first)) continue;
+    set_add(&seeker->done, t);
+    set_add(&seeker->unsaid, t);
+  }
+}
+
+bool qtr_seeker_plan(qtr_seeker *seeker) {
+  if (seeker->divided) return false;
+  if (qtr_division_play(&seeker->division, seeker->policy)) return true;
+  seeker->divided = true;
+  find_finished(seeker, true);
+  return false;
+}
+
+static bool is_in_reach(const qtr_seeker *seeker, unsigned place) {
+  const qtr_board *board = &seeker->policy->board;
+  const unsigned start = (unsigned)board->places + seeker->deployment.start_of[seeker->self];
+  return qtr_board_steps(board, seeker->self, start, place) != QTR_NEVER;
+}
+
+static bool is_to_try(const qtr_seeker *seeker, unsigned place) {
+  if (qtr_places_has(&seeker->visited, place) || qtr_places_has(&seeker->blocked, place)) return false;
+  return (!seeker->last_round || qtr_places_has(&seeker->retry, place)) && is_in_reach(seeker, place);
+}
+
+/* The next place of a territory: the first on its route that is to try, and in an odd pass the last. In pass p a robot walks
+ * the territory of seeker self + p, so that two robots next to one another come to a third one's from both ends. */
+static uint16_t next_on_route(const qtr_seeker *seeker, unsigned territory, bool backwards) {
+  const qtr_division *division = &seeker->division;
+  for (unsigned n = 0; n < division->moves; n++) {
+    const unsigned i = backwards ? division->moves - 1u - n : n;
+    if (division->seeker[i] == territory && is_to_try(seeker, division->place[i])) return division->place[i];
+  }
+  return QTR_STAND_DOWN;
+}
+
+/* Look for a target in the territories not known to be done: those of seekers known to be lost, or those of the others. The own
+ * one is first among the others, and is asked for before both. */
+static bool find_target(qtr_seeker *seeker, bool of_the_lost) {
+  const unsigned seekers = seekers_of(seeker);
+  for (unsigned pass = 0; pass < seekers; pass++) {
+    const unsigned territory = (seeker->self + pass) % seekers;
+    if (set_has(&seeker->done, territory)) continue;
+    if (pass > 0 && set_has(&seeker->lost, territory) != of_the_lost) continue;
+    seeker->target = next_on_route(seeker, territory, pass % 2 == 1);
+    seeker->territory = (uint8_t)territory;
+    if (seeker->target != QTR_STAND_DOWN) return true;
+  }
+  return false;
+}
+
+/* All has been tried: what was blocked is tried once more. */
+static bool begin_last_round(qtr_seeker *seeker) {
+  if (seeker->last_round) return false;
+  seeker->last_round = true;
+  seeker->retry = seeker->blocked;
+  qtr_places_clear(&seeker->blocked);
+  return true;
+}
+
+/* Target and territory follow from what is known now, and from nothing else: so it does not matter in which order it became
+ * known, nor whether there was a reset in between. */
+static void settle(qtr_seeker *seeker) {
+  if (seeker->settled) return;
+  while (qtr_seeker_plan(seeker)) {}
+  seeker->settled = true;
+  seeker->target = QTR_STAND_DOWN;
+  seeker->territory = seeker->self;
+  if (seeker->found) return;
+  do {
+    if (find_target(seeker, true) || find_target(seeker, false)) return;
+  } while (begin_last_round(seeker));
+  seeker->territory = seeker->self;
+}
+
+/* ---- what a robot is told ---- */
+
+void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
+  if (place >= seeker->policy->board.places || qtr_places_has(&seeker->visited, place)) return;
+  qtr_places_add(&seeker->visited, place);
+  seeker->settled = false;
+  if (seeker->divided) find_finished(seeker, false);
+}
+
+void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
+  if (place >= seeker->policy->board.places || qtr_places_has(&seeker->visited, place)) return;
+  qtr_places_add(&seeker->blocked, place);
+  seeker->settled = false;
+}
+
+void qtr_seeker_found(qtr_seeker *seeker) {
+  seeker->found_unsaid = seeker->found_unsaid || !seeker->found;
+  seeker->found = true;
+  seeker->settled = false;
+}
+
+bool qtr_seeker_hear(qtr_seeker *seeker, const qtr_signal *signal) {
+  const bool is_found = signal->kind == QTR_SIGNAL_FOUND;
+  const bool is_done = signal->kind == QTR_SIGNAL_TERRITORY_DONE && signal->territory < seekers_of(seeker);
+  if (signal->identity != seeker->identity || signal->run != seeker->run) {
+    seeker->foreign += seeker->foreign < UINT32_MAX;
+    return false;
+  }
+  if (is_found) seeker->found = true;
+  if (is_done) set_add(&seeker->done, signal->territory);
+  seeker->settled = seeker->settled && !is_found && !is_done;
+  return is_found || is_done;
+}
+
+void qtr_seeker_lost(qtr_seeker *seeker, unsigned who) {
+  if (who >= seekers_of(seeker)) return;
+  set_add(&seeker->lost, who);
+  seeker->settled = false;
+}
+
+/* ---- what a robot asks ---- */
+
+uint16_t qtr_seeker_target(qtr_seeker *seeker) {
+  settle(seeker);
   return seeker->target;
 }
 
-void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
-  if (place >= seeker->policy->board.places) return;
-  qtr_places_add(&seeker->visited, place);
-  if (place == seeker->target) next_target(seeker);
-}
-
-void qtr_seeker_hear(qtr_seeker *seeker, int signal, unsigned territory) {
-  if (signal == QTR_SIGNAL_FOUND) {
-    seeker->target = QTR_STAND_DOWN;
-    seeker->pass = seeker->policy->board.seekers;
-    return;
+bool qtr_seeker_field_built(qtr_seeker *seeker, qtr_field *field, qtr_cell here, uint32_t config_id) {
+  const qtr_grid *grid = &seeker->policy->grid;
+  if (config_id != QTR_CONFIG_ID || qtr_grid_cost(grid, here) == 0) return false;
+  while (qtr_seeker_target(seeker) != QTR_STAND_DOWN) {
+    const int status = qtr_field_fill(field, grid, qtr_policy_cell(seeker->policy, seeker->target));
+    if (status == QTR_OK && qtr_field_next(field, grid, here) != QTR_NO_CELL) return true;
+    qtr_seeker_blocked(seeker, seeker->target);
   }
-  if (signal != QTR_SIGNAL_TERRITORY_DONE || territory >= seeker->policy->board.seekers) return;
-  set_add(&seeker->done, territory);
-  if (seeker->target == QTR_STAND_DOWN || territory != seeker->territory) return;
-  seeker->target = QTR_STAND_DOWN;
-  if (next_territory(seeker)) next_target(seeker);
+  return false;
 }
 
-bool qtr_seeker_announce(qtr_seeker *seeker, uint8_t *territory) {
-  for (unsigned i = 0; i < seeker->policy->board.seekers; i++) {
-    if (!set_has(&seeker->announce, i)) continue;
-    seeker->announce.word[i / 32] &= ~((uint32_t)1 << (i % 32));
-    *territory = (uint8_t)i;
+static qtr_signal signal_of(const qtr_seeker *seeker, uint8_t kind, unsigned territory) {
+  return (qtr_signal){seeker->identity, seeker->run, kind, (uint8_t)territory};
+}
+
+bool qtr_seeker_announce(qtr_seeker *seeker, qtr_signal *signal) {
+  settle(seeker);
+  if (seeker->found_unsaid) {
+    seeker->found_unsaid = false;
+    *signal = signal_of(seeker, QTR_SIGNAL_FOUND, 0);
+    return true;
+  }
+  for (unsigned t = 0; t < seekers_of(seeker); t++) {
+    if (!set_has(&seeker->unsaid, t)) continue;
+    set_remove(&seeker->unsaid, t);
+    *signal = signal_of(seeker, QTR_SIGNAL_TERRITORY_DONE, t);
     return true;
   }
   return false;
 }
 
-bool qtr_seeker_field(const qtr_seeker *seeker, qtr_field *field) {
-  if (seeker->target == QTR_STAND_DOWN) return false;
-  return qtr_field_fill(field, &seeker->policy->grid, qtr_policy_cell(seeker->policy, seeker->target)) == QTR_OK;
+bool qtr_seeker_known(const qtr_seeker *seeker, unsigned index, qtr_signal *signal) {
+  if (seeker->found) {
+    *signal = signal_of(seeker, QTR_SIGNAL_FOUND, 0);
+    if (index-- == 0) return true;
+  }
+  for (unsigned t = 0; t < seekers_of(seeker); t++) {
+    if (!set_has(&seeker->done, t)) continue;
+    *signal = signal_of(seeker, QTR_SIGNAL_TERRITORY_DONE, t);
+    if (index-- == 0) return true;
+  }
+  return false;
+}
+
+enum qtr_standing qtr_seeker_standing(qtr_seeker *seeker) {
+  settle(seeker);
+  if (seeker->target != QTR_STAND_DOWN) return QTR_UNDER_WAY;
+  if (seeker->found) return QTR_STANDS_FOUND;
+  for (unsigned t = 0; t < seekers_of(seeker); t++)
+    if (!set_has(&seeker->done, t)) return QTR_STANDS_BLOCKED;
+  return QTR_STANDS_DONE;
+}
+
+unsigned qtr_seeker_territory(qtr_seeker *seeker) {
+  settle(seeker);
+  return seeker->territory;
+}
+
+unsigned qtr_seeker_left(qtr_seeker *seeker, qtr_places *left) {
+  const qtr_division *division = &seeker->division;
+  qtr_places unscanned;
+  unsigned count = 0;
+  settle(seeker);
+  qtr_places_clear(&unscanned);
+  for (unsigned i = 0; i < division->moves; i++) {
+    const unsigned place = division->place[i];
+    if (set_has(&seeker->done, division->seeker[i]) || qtr_places_has(&seeker->visited, place)) continue;
+    count += !qtr_places_has(&unscanned, place);
+    qtr_places_add(&unscanned, place);
+  }
+  if (left != NULL) *left = unscanned;
+  return count;
+}
+
+uint32_t qtr_seeker_foreign(const qtr_seeker *seeker) {
+  return seeker->foreign;
 }

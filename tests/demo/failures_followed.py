@@ -1,8 +1,8 @@
 """What a viewer that follows the bus makes of it."""
 
 from failures_served import Served
-from lcmlog import POSE, STATUS, TERMINATE
-from programs import asked
+from lcmlog import POSE, STATUS
+from programs import asked, terminate
 
 EVENTS = 2048  # that are kept of a game
 
@@ -55,8 +55,8 @@ class Followed(Served):
             self.status(utime, state=state)
         for number in range(asked.robots, 16):
             for territory in (0, number, -1, 99):
-                self.publisher.send("QUARTER_TERMINATE", TERMINATE.encode(utime=utime, sender=number, signal=2,
-                                                                         territory=territory))
+                self.publisher.send("QUARTER_TERMINATE", terminate(utime=utime, sender=number, signal=2,
+                                                                  territory=territory))
         self.status(1_000_000, scanned=1)
         for utime in (2_000_000, 3_000_000):
             self.pose(utime)

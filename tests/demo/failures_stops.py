@@ -4,12 +4,13 @@ import json
 import os
 import re
 import signal
+import zlib
 
 import lcmlog
 import network
-from lcmlog import COMMAND, FOUND, POSE, SCAN, TERMINATE
+from lcmlog import COMMAND, FOUND, POSE, SCAN
 from network import Network
-from programs import ROOT, TICK, Case, asked, demo, page_data, program, robot, world
+from programs import ROOT, TICK, Case, asked, demo, identity_of, page_data, program, robot, terminate, world
 
 BROKEN_OFF = 3  # exit status
 
@@ -66,6 +67,29 @@ class BrokenOff(Case):
         errors = self.check_broken_off(net, launcher, whole=True)
         self.assertIn("no robot has answered since", errors)
 
+    def other_table(self):
+        """The same division by the same plan, in a table of another seed."""
+        table = bytearray(asked.table.read_bytes())
+        table[48] ^= 1
+        table[12:16] = zlib.crc32(table[16:]).to_bytes(4, "little")
+        path = self.folder / "other.qtr"
+        path.write_bytes(table)
+        self.assertNotEqual(identity_of(bytes(table)), asked.identity)
+        return path
+
+    def test_a_robot_of_another_table_or_run_is_not_believed_and_the_game_says_so(self):
+        for number, words in ((1, robot(1, "--run-number", 7)), (2, program("quarter-robot", self.other_table(), "--robot", 2))):
+            with self.subTest(number=number), Network() as net:
+                mixed = [robot(one) if one != number else words for one in range(asked.robots)]
+                game = net.start(*world("--mine", "none", "--speed", 8, "--json"))
+                crew = [net.start(*one) for one in mixed]
+                status, output, errors = game.end()
+                self.assertEqual((status, output), (BROKEN_OFF, ""))
+                self.assertIn(f"robot {number} plays another table", errors)
+                for one, ended in enumerate(program.end() for program in crew):
+                    self.assertEqual(ended[0], 0, ended)
+                    self.assertIn("of another table, other starts or another run ignored", ended[2], (one, ended))
+
     def test_no_program_goes_by_the_wall_clock(self):
         """It may be set back or forth while a game runs."""
         wall = re.compile(r"\btime\(|CLOCK_REALTIME|gettimeofday|\bftime\b|clock_get\w+\((?!CLOCK_MONOTONIC)|recv_utime")
@@ -80,7 +104,7 @@ class BrokenOff(Case):
         listener.await_message(lambda _, channel, data: channel == "QUARTER_R0_COMMAND"
                                and COMMAND.decode(data)["utime"] > 1e6, "the game's first second")
         listener.close()  # what comes now is not for it to keep
-        word = TERMINATE.encode(utime=1, sender=0, signal=2, territory=15)
+        word = terminate(utime=1, sender=0, signal=2, territory=15)
         noise = POSE.encode(utime=1, robot=15, x=1.0, y=1.0, heading=0.0)
         while launcher.runs():  # the game's own pace: as fast as this process can send
             publisher.send("QUARTER_TERMINATE", word)
@@ -141,6 +165,6 @@ class BrokenOff(Case):
             return source != publisher.port and channel == awaited
         while one.runs() and not listener.await_message(answers, awaited, seconds=TICK):  # as a world does: every tick
             if found:
-                publisher.send("QUARTER_TERMINATE", TERMINATE.encode(utime=1, sender=0, signal=FOUND, territory=0))
+                publisher.send("QUARTER_TERMINATE", terminate(utime=1, sender=0, signal=FOUND))
             publisher.send("QUARTER_R1_POSE", POSE.encode(utime=1, robot=1, x=2.5, y=2.5, heading=0.0))
             publisher.send("QUARTER_R1_SCAN", SCAN.encode(utime=1, robot=1, read=0, mine=0, range=[1.5] * 24))

@@ -3,6 +3,7 @@
 import math
 
 from lcmlog import COMMAND, FOUND, POSE, SCAN, STATUS, TERMINATE
+from programs import terminate
 
 TICK = 0.05  # seconds between poses
 MINE_RANGE = 0.36  # cells
@@ -78,8 +79,8 @@ class ScriptedWorld:
 
     def tell(self, signal, territory=0, sender=None):
         sender = (self.number + 1) % self.robots if sender is None else sender
-        message = {"utime": self.utime, "sender": sender, "signal": signal, "territory": territory}
-        self.publisher.send("QUARTER_TERMINATE", TERMINATE.encode(**message))
+        word = terminate(utime=self.utime, sender=sender, signal=signal, territory=territory)
+        self.publisher.send("QUARTER_TERMINATE", word)
 
     def distract(self):
         """What this robot has no business to hear: other robots' senses and commands, the world's knowledge."""

@@ -17,7 +17,7 @@ void tearDown(void) {
 }
 
 static void open_arena(const fault_script *faults) {
-  const arena_setup setup = {1, false, -2, faults, 1e6};
+  const arena_setup setup = {1, false, -2, faults, 1e6, 3};
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, arena_open(&a, &play_plan.t, b, &setup, &play_why), play_why.text);
 }
 
@@ -72,17 +72,33 @@ static void test_a_game_whose_robots_are_all_lost_by_the_script_is_over_and_not_
   TEST_ASSERT_TRUE(arena_all_stopped_at(&a) < 0.0);
 }
 
+static void send(int sender, int territory, uint32_t identity, uint32_t run) {
+  bus_send_terminate(b, &(message_terminate){0, sender, QTR_SIGNAL_TERRITORY_DONE, territory, identity, run});
+}
+
 static void test_a_stranger_announces_no_territory(void) {
   open_arena(NULL);
-  for (int sender = 2; sender < DEMO_MOST_ROBOTS; sender++)
-    bus_send_terminate(b, &(message_terminate){0, sender, QTR_SIGNAL_TERRITORY_DONE, 0});
-  for (int territory = 2; territory < DEMO_MOST_ROBOTS; territory++)
-    bus_send_terminate(b, &(message_terminate){0, 1, QTR_SIGNAL_TERRITORY_DONE, territory});
+  for (int sender = 2; sender < DEMO_MOST_ROBOTS; sender++) send(sender, 0, a.identity, 3);
+  for (int territory = 2; territory < DEMO_MOST_ROBOTS; territory++) send(1, territory, a.identity, 3);
   bus_drain(b);
   TEST_ASSERT_EQUAL_INT(0, a.events);
-  bus_send_terminate(b, &(message_terminate){0, 1, QTR_SIGNAL_TERRITORY_DONE, 0});
+  send(1, 0, a.identity, 3);
   bus_drain(b);
   TEST_ASSERT_EQUAL_INT(1, a.events);
+}
+
+static void test_a_robot_of_another_table_or_run_is_known_and_not_believed(void) {
+  open_arena(NULL);
+  send(7, 0, a.identity + 1, 3); /* of somebody else's game */
+  bus_drain(b);
+  TEST_ASSERT_EQUAL_INT(-1, a.stranger);
+  send(1, 0, a.identity + 1, 3);
+  bus_drain(b);
+  TEST_ASSERT_EQUAL_INT(1, a.stranger);
+  send(0, 0, a.identity, 2);
+  bus_drain(b);
+  TEST_ASSERT_EQUAL_INT(0, a.stranger);
+  TEST_ASSERT_EQUAL_INT(0, a.events);
 }
 
 /* A robot that stops and drives on again and again. */
@@ -105,6 +121,7 @@ int main(void) {
   RUN_TEST(test_a_game_that_one_robot_plays_to_the_end_is_not_abandoned);
   RUN_TEST(test_a_game_whose_robots_are_all_lost_by_the_script_is_over_and_not_abandoned);
   RUN_TEST(test_a_stranger_announces_no_territory);
+  RUN_TEST(test_a_robot_of_another_table_or_run_is_known_and_not_believed);
   RUN_TEST(test_more_events_than_are_kept_are_left_out_and_the_last_one_says_so);
   return UNITY_END();
 }

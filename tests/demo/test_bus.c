@@ -100,11 +100,13 @@ static void send_scan(test_random *random, int robot) {
 
 static void send_terminate(test_random *random) {
   const message_terminate m = {(int64_t)(random_bits(random) >> 2), (int)random_below(random, DEMO_MOST_ROBOTS),
-                               (int)random_in(random, 1, 2), (int)random_below(random, 16)};
+                               (int)random_in(random, 1, 2),        (int)random_below(random, 16),
+                               (uint32_t)random_bits(random),       (uint32_t)random_bits(random)};
   bus_send_terminate(b, &m);
   TEST_ASSERT_EQUAL_INT_MESSAGE(1, bus_drain(b), case_note);
   TEST_ASSERT_TRUE_MESSAGE(m.utime == terminate.utime && m.sender == terminate.sender, case_note);
   TEST_ASSERT_TRUE_MESSAGE(m.signal == terminate.signal && m.territory == terminate.territory, case_note);
+  TEST_ASSERT_TRUE_MESSAGE(m.identity == terminate.identity && m.run == terminate.run, case_note);
 }
 
 static void send_status(test_random *random) {
@@ -159,7 +161,7 @@ static void test_a_robots_channels_are_its_own(void) {
 
 static void test_a_burst_arrives_whole(void) {
   listen(0);
-  for (int i = 0; i < 900; i++) bus_send_terminate(b, &(message_terminate){i, 0, 1, 0});
+  for (int i = 0; i < 900; i++) bus_send_terminate(b, &(message_terminate){.utime = i, .signal = 1});
   TEST_ASSERT_EQUAL_INT(900, bus_drain(b));
   TEST_ASSERT_EQUAL_INT(900, heard[KIND_TERMINATE]);
   TEST_ASSERT_TRUE(terminate.utime == 899);
@@ -186,7 +188,7 @@ static void test_that_share_of_the_signals_is_lost_and_nothing_else(void) {
     bus_hear_terminate(b, hear_terminate, NULL); /* a second receiver: it loses signals of its own */
     bus_lose(b, share, seed);
     for (int i = 0; i < 1000; i++) {
-      bus_send_terminate(b, &(message_terminate){i, 0, 1, 0});
+      bus_send_terminate(b, &(message_terminate){.utime = i, .signal = 1});
       bus_send_pose(b, &(message_pose){i, 0, 0, 0, 0});
       bus_drain(b);
     }
@@ -200,7 +202,7 @@ static void test_that_share_of_the_signals_is_lost_and_nothing_else(void) {
 static void test_without_losses_nothing_is_lost(void) {
   listen(0);
   bus_lose(b, 0.0, 1);
-  for (int i = 0; i < 500; i++) bus_send_terminate(b, &(message_terminate){i, 0, 1, 0});
+  for (int i = 0; i < 500; i++) bus_send_terminate(b, &(message_terminate){.utime = i, .signal = 1});
   bus_drain(b);
   TEST_ASSERT_EQUAL_INT(500, heard[KIND_TERMINATE]);
   TEST_ASSERT_EQUAL_UINT64(0, bus_count(b).lost);
@@ -218,7 +220,7 @@ static void test_the_log_holds_every_message_in_order_at_the_worlds_times(void) 
     bus_send_pose(b, &(message_pose){utime, 3, 1, 2, 3});
     bus_send_scan(b, &(message_scan){.utime = utime + 1, .robot = 3});
     bus_send_command(b, &(message_command){.utime = utime + 2, .robot = 3});
-    bus_send_terminate(b, &(message_terminate){utime + 3, 3, 1, 0});
+    bus_send_terminate(b, &(message_terminate){.utime = utime + 3, .sender = 3, .signal = 1});
     bus_send_status(b, &(message_status){.utime = utime + 4});
     bus_drain(b);
   }

@@ -104,7 +104,7 @@ static void record_sound_messages(void) {
   bus_send_pose(b, &(message_pose){1, ME, 1.5, -2.5, 0.25});
   bus_send_scan(b, &(message_scan){.utime = 2, .robot = ME});
   bus_send_command(b, &(message_command){.utime = 3, .robot = ME, .left = 0.5, .right = -0.5});
-  bus_send_terminate(b, &(message_terminate){4, ME, 1, 0});
+  bus_send_terminate(b, &(message_terminate){.utime = 4, .sender = ME, .signal = 1});
   bus_send_status(b, &(message_status){.utime = 5, .robots = 4, .places = 16});
   bus_drain(b);
   bus_close(b);

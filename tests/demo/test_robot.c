@@ -30,7 +30,7 @@ static void hear_signal(void *user, const message_terminate *m) {
 
 static void begin(int self, bool clear_all) {
   table_open(&policy);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_seeker_init(&seeker, &policy, (unsigned)self, NULL));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_seeker_init(&seeker, &policy, (unsigned)self, NULL, 5));
   robot_init(&r, &policy, self, clear_all, robot_pilot_of_plan(&seeker), (robot_voice){&r, hear_command, hear_signal});
 }
 
@@ -66,7 +66,7 @@ static void act(int64_t utime, enum reading reading) {
 }
 
 static void hear(int sender, int what, int territory) {
-  const message_terminate m = {0, sender, what, territory};
+  const message_terminate m = {0, sender, what, territory, seeker.identity, 5};
   robot_hear_terminate(&r, &m);
 }
 
@@ -288,6 +288,21 @@ static void test_its_own_echo_is_without_effect(void) {
   TEST_ASSERT_EQUAL_INT(0, signals);
 }
 
+/* Of another table, other starts, or yesterday's search: not believed, and not passed on. */
+static void test_what_is_of_another_search_is_without_effect(void) {
+  const message_terminate other_table = {0, 1, QTR_SIGNAL_FOUND, 0, seeker.identity ^ 1u, 5};
+  const message_terminate other_run = {0, 1, QTR_SIGNAL_TERRITORY_DONE, 0, seeker.identity, 4};
+  const uint16_t own = target();
+  robot_hear_terminate(&r, &other_table);
+  robot_hear_terminate(&r, &other_run);
+  TEST_ASSERT_EQUAL_INT(own, target());
+  TEST_ASSERT_EQUAL_UINT32(2, qtr_seeker_foreign(&seeker));
+  place_at(start_cell(), 0.0, 0);
+  act(0, UNREAD);
+  TEST_ASSERT_TRUE(drives());
+  TEST_ASSERT_EQUAL_INT(0, signals);
+}
+
 static void test_what_is_no_signal_is_without_effect(void) {
   static const int whats[] = {INT_MIN, -1, 0, 3, INT_MAX, QTR_SIGNAL_TERRITORY_DONE, QTR_SIGNAL_TERRITORY_DONE};
   static const int territories[] = {0, 0, 0, 0, 0, -1, DEMO_MOST_ROBOTS};
@@ -381,6 +396,7 @@ int main(void) {
   RUN_TEST(test_a_territory_done_by_another_sends_it_on);
   RUN_TEST(test_it_turns_to_its_new_target_at_once);
   RUN_TEST(test_its_own_echo_is_without_effect);
+  RUN_TEST(test_what_is_of_another_search_is_without_effect);
   RUN_TEST(test_what_is_no_signal_is_without_effect);
   RUN_TEST(test_wheels_are_told_in_metres);
   RUN_TEST(test_whatever_it_hears_it_says_only_commands_and_signals_of_its_own);

@@ -101,14 +101,15 @@ static void test_a_blind_robot_goes_to_the_nearest_place_then_to_the_nearest_fro
 
 static void test_a_find_stops_a_robot_without_a_plan(void) {
   static baseline b;
-  uint8_t territory;
+  qtr_signal signal = {0, 0, QTR_SIGNAL_TERRITORY_DONE, 0};
   baseline_init(&b, &play_plan.t.policy, 0, NULL);
   const robot_pilot pilot = baseline_pilot(&b);
-  pilot.hear(pilot.self, QTR_SIGNAL_TERRITORY_DONE, 0);
+  pilot.hear(pilot.self, &signal);
   TEST_ASSERT_NOT_EQUAL_INT(QTR_STAND_DOWN, pilot.target(pilot.self));
-  pilot.hear(pilot.self, QTR_SIGNAL_FOUND, 0);
+  signal.kind = QTR_SIGNAL_FOUND;
+  pilot.hear(pilot.self, &signal);
   TEST_ASSERT_EQUAL_INT(QTR_STAND_DOWN, pilot.target(pilot.self));
-  TEST_ASSERT_FALSE(pilot.announce(pilot.self, &territory));
+  TEST_ASSERT_FALSE(pilot.announce(pilot.self, &signal));
 }
 
 int main(void) {

@@ -191,9 +191,10 @@ static void test_the_default_that_help_tells_is_the_default(void) {
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, parse(words), words);
     TEST_ASSERT_EQUAL_UINT64_MESSAGE(by_default.seed, s.seed, words);
     TEST_ASSERT_EQUAL_DOUBLE_MESSAGE(by_default.learn_limit, s.learn_limit, words);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(by_default.run, s.run, words);
     told++;
   }
-  TEST_ASSERT_EQUAL_INT(2, told);
+  TEST_ASSERT_EQUAL_INT(3, told);
 }
 
 int main(void) {

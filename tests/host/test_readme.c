@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200809L
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 /* The robot loop of README.md, word for word, over the table that README.md has learnt: one process a robot, a step of time
  * whenever all have moved, and nothing shared but the signals. */
 #include <signal.h>
@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,25 +24,36 @@ enum { ROBOTS = 3, MOST_STEPS = 5000, INBOX = 64, NEVER = -1, NOWHERE = -1 };
 /* What a robot's process and the game tell one another. */
 typedef struct {
   int what; /* 'b'roadcast, 's'canned a cell, one step 't'aken; to the robot: a signal 'h'eard, 'g'o on */
-  int a, b;
+  int cell;
+  qtr_signal signal;
 } word;
 
 /* ---- a robot's side: what README.md leaves to the firmware ---- */
 
 static unsigned my_number;
 static int line; /* to the game */
-static qtr_cell here, target_at;
+static const uint32_t run_number = 4;
+static qtr_cell here, target_at, shut_at;
+static uint8_t (*memory)[QTR_SAVE_BYTES]; /* of each robot: it outlasts its process */
 static const qtr_grid *ground;
 static word inbox[INBOX];
 static int waiting;
 
-static void tell(int what, int a, int b) {
-  const word w = {what, a, b};
+static void tell(int what, int cell, const qtr_signal *signal) {
+  word w;
+  memset(&w, 0, sizeof w);
+  w.what = what;
+  w.cell = cell;
+  if (signal != NULL) w.signal = *signal;
   if (send(line, &w, sizeof w, MSG_NOSIGNAL) != sizeof w) _exit(3);
 }
 
 static void halt(void) {
   _exit(2);
+}
+
+static uint8_t *memory_that_lasts(void) {
+  return memory[my_number];
 }
 
 static qtr_cell my_cell(void) {
@@ -50,7 +62,7 @@ static qtr_cell my_cell(void) {
 
 static void take_step(void) {
   word w;
-  tell('t', 0, 0);
+  tell('t', 0, NULL);
   for (;;) {
     if (recv(line, &w, sizeof w, 0) != sizeof w) _exit(3);
     if (w.what == 'g') return;
@@ -59,25 +71,26 @@ static void take_step(void) {
   }
 }
 
-static void drive_to(qtr_cell cell) {
+static bool drive_to(qtr_cell cell) {
+  if (cell == shut_at) return false;
   for (unsigned steps = qtr_grid_cost(ground, cell); steps > 0; steps--) take_step();
   here = cell;
+  return true;
 }
 
-static bool receive(int *what, unsigned *of) {
+static bool receive(qtr_signal *signal) {
   if (waiting == 0) return false;
-  *what = inbox[0].a;
-  *of = (unsigned)inbox[0].b;
+  *signal = inbox[0].signal;
   memmove(inbox, inbox + 1, (size_t)--waiting * sizeof *inbox);
   return true;
 }
 
-static void broadcast(int what, unsigned of) {
-  tell('b', what, (int)of);
+static void broadcast(const qtr_signal *signal) {
+  tell('b', 0, signal);
 }
 
 static bool scan_finds_it(void) {
-  tell('s', (int)here, 0);
+  tell('s', (int)here, NULL);
   return here == target_at;
 }
 
@@ -90,9 +103,10 @@ static void live(void) {
 typedef struct {
   int line; /* -1: stopped or lost */
   pid_t process;
-  int lost_at; /* the step at which it breaks down; NEVER */
-  int late;    /* steps before it sets out */
-  int stopped; /* at which step; NEVER */
+  int lost_at;  /* the step at which it breaks down; NEVER */
+  int reset_at; /* the step at which its power is cut for a moment: it goes on from its start; NEVER */
+  int late;     /* steps before it sets out */
+  int stopped;  /* at which step; NEVER */
   word heard[INBOX];
   int count;
 } robot;
@@ -110,7 +124,10 @@ static char note[160];
 
 static void begin(void) {
   memset(&game, 0, sizeof game);
-  for (int i = 0; i < ROBOTS; i++) game.robot[i] = (robot){.line = -1, .lost_at = NEVER, .stopped = NEVER};
+  for (int i = 0; i < ROBOTS; i++)
+    game.robot[i] = (robot){.line = -1, .lost_at = NEVER, .reset_at = NEVER, .stopped = NEVER};
+  memset(memory, 0, ROBOTS * sizeof *memory);
+  shut_at = QTR_NO_CELL;
   for (unsigned p = 0; p < QTR_MAX_PLACES; p++) game.scanned[p] = NEVER;
 }
 
@@ -153,7 +170,8 @@ static void hear_all(const word *w, int from) {
     robot *r = &game.robot[i];
     if (i == from || r->line < 0) continue;
     TEST_ASSERT_LESS_THAN_INT_MESSAGE(INBOX, r->count, note);
-    r->heard[r->count++] = (word){'h', w->a, w->b};
+    r->heard[r->count] = *w;
+    r->heard[r->count++].what = 'h';
   }
 }
 
@@ -173,12 +191,14 @@ static void attend(int number) {
     }
     if (w.what == 't') return;
     if (w.what == 'b') hear_all(&w, number);
-    if (w.what == 's') note_scan(w.a);
+    if (w.what == 's') note_scan(w.cell);
   }
 }
 
 static void let_go(robot *r) {
-  const word go = {'g', 0, 0};
+  word go;
+  memset(&go, 0, sizeof go);
+  go.what = 'g';
   for (int i = 0; i < r->count; i++) (void)!send(r->line, &r->heard[i], sizeof(word), MSG_NOSIGNAL);
   r->count = 0;
   (void)!send(r->line, &go, sizeof go, MSG_NOSIGNAL);
@@ -188,9 +208,20 @@ static bool is_held_up(const robot *r) {
   return game.now < r->late;
 }
 
-static void pass_a_step(void) {
+/* A robot's power is cut and comes back: its program begins anew, over the memory that lasts. */
+static void reset(int number, int found_at) {
+  robot *r = &game.robot[number];
+  if (r->line < 0 || game.now != r->reset_at) return;
+  part_with(r, true);
+  r->count = 0;
+  set_out(number, found_at);
+  attend(number);
+}
+
+static void pass_a_step(int found_at) {
   for (int i = 0; i < ROBOTS; i++)
     if (game.robot[i].line >= 0 && game.now == game.robot[i].lost_at) part_with(&game.robot[i], true);
+  for (int i = 0; i < ROBOTS; i++) reset(i, found_at);
   for (int i = 0; i < ROBOTS; i++)
     if (game.robot[i].line >= 0 && !is_held_up(&game.robot[i])) let_go(&game.robot[i]);
   game.now++;
@@ -205,7 +236,7 @@ static void play(int found_at) {
   for (int i = 0; i < ROBOTS; i++) attend(i);
   while (any) {
     TEST_ASSERT_LESS_THAN_INT_MESSAGE(MOST_STEPS, game.now, note);
-    pass_a_step();
+    pass_a_step(found_at);
     any = false;
     for (int i = 0; i < ROBOTS; i++) any = any || game.robot[i].line >= 0;
   }
@@ -270,6 +301,29 @@ static void test_a_late_robot_breaks_nothing(void) {
   }
 }
 
+static void test_a_robot_that_was_reset_goes_on(void) {
+  for (int which = 0; which < ROBOTS; which++)
+    for (int step = 0; step < 50; step += 7) {
+      snprintf(note, sizeof note, "robot %d reset at step %d", which, step);
+      begin();
+      game.robot[which].reset_at = step;
+      play(NOWHERE);
+      expect_all_scanned();
+    }
+}
+
+/* A door that stays shut: all else is scanned, and all stop. */
+static void test_a_place_behind_a_shut_door_is_left_out(void) {
+  for (unsigned shut = 0; shut < table_policy.board.places; shut += 3) {
+    snprintf(note, sizeof note, "place %u is shut", shut);
+    begin();
+    shut_at = qtr_policy_cell(&table_policy, shut);
+    play(NOWHERE);
+    for (unsigned p = 0; p < table_policy.board.places; p++)
+      TEST_ASSERT_EQUAL_INT_MESSAGE(p == shut, game.scanned[p] == NEVER, note);
+  }
+}
+
 /* Some robot always gets through; the target is found wherever it is. */
 static void test_whatever_goes_wrong_the_target_is_found(void) {
   for (unsigned i = 0; i < 60; i++) {
@@ -280,6 +334,7 @@ static void test_whatever_goes_wrong_the_target_is_found(void) {
     begin();
     for (int r = 0; r < ROBOTS; r++) {
       game.robot[r].late = random_chance(&random, 50) ? (int)random_below(&random, 60) : 0;
+      game.robot[r].reset_at = random_chance(&random, 30) ? (int)random_below(&random, 60) : NEVER;
       if (r != spared && random_chance(&random, 60)) game.robot[r].lost_at = (int)random_below(&random, 60);
     }
     play(found_at);
@@ -294,10 +349,14 @@ int main(void) {
   if (table_read(&learnt, "patrol.qtr", &why) != 0) return 1;
   table_routes(&learnt, plan);
   table_policy = learnt.policy;
+  memory = mmap(NULL, ROBOTS * sizeof *memory, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return 1;
   RUN_TEST(test_all_places_are_scanned_when_the_plan_says);
   RUN_TEST(test_a_find_ends_it_for_all);
   RUN_TEST(test_the_places_of_a_lost_robot_are_taken_over);
   RUN_TEST(test_a_late_robot_breaks_nothing);
+  RUN_TEST(test_a_robot_that_was_reset_goes_on);
+  RUN_TEST(test_a_place_behind_a_shut_door_is_left_out);
   RUN_TEST(test_whatever_goes_wrong_the_target_is_found);
   table_free(&learnt);
   return UNITY_END();

@@ -111,9 +111,9 @@ static void expect_whole_or_nothing(const char *reason, int status, const char *
   TEST_ASSERT_TRUE_MESSAGE(strncmp(json_text(result.out, "ended") + 1, reason, strlen(reason)) == 0, result.out);
   run_tool(&other, "simulate t.qtr --json");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, other.status, other.err);
-  TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(1e-7 * json_value(result.out, "expected_time"),
-                                    json_value(result.out, "expected_time"), json_value(other.out, "expected_time"),
-                                    note);
+  /* Who is done early takes over from others, so that what is not optimal may get better. */
+  TEST_ASSERT_TRUE_MESSAGE(
+      json_value(other.out, "expected_time") <= (1.0 + 1e-7) * json_value(result.out, "expected_time"), note);
 }
 
 static void signal_at_many_moments(const char *const *words) {

@@ -195,7 +195,8 @@ static void expect_ground_value(const char *words) {
   run_tool(&result, "learn " MANY " --robots 4 %s -o t.qtr --json", words);
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
   run_tool(&other, "simulate t.qtr --json");
-  TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(1e-7, json_value(other.out, "value"), json_value(result.out, "value"), words);
+  /* Who is done early takes over from others: what is not optimal gets better by it, and never worse. */
+  TEST_ASSERT_TRUE_MESSAGE(json_value(other.out, "value") >= json_value(result.out, "value") - 1e-7, words);
   TEST_ASSERT_EQUAL_DOUBLE_MESSAGE(0.0, json_value(other.out, "off_table"), words);
   TEST_ASSERT_TRUE_MESSAGE(json_value(result.out, "objective_bound") >= 8.355621 * (1.0 - 1e-6), words);
   TEST_ASSERT_TRUE_MESSAGE(json_value(result.out, "value") <= 8.355622 * (1.0 + 1e-6), words);

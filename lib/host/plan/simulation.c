@@ -25,7 +25,6 @@ typedef struct {
   int count;
   const table *t;
   const simulation_config *config;
-  int finder;      /* the robot that found the target at this step and has not said so yet, or QTR_NOBODY */
   qtr_places seen; /* places visited by any robot: for the record alone, no robot reads it */
 } world;
 
@@ -79,7 +78,7 @@ static void free_world(world *w) {
 static int make_world(world *w, const table *t, const qtr_deployment *deployment, const simulation_config *config,
                       fault *why) {
   const qtr_board *board = &t->policy.board;
-  *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, config, QTR_NOBODY, config->clear};
+  *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, config, config->clear};
   for (int i = 0; w->robots != NULL && i < w->count; i++) {
     robot *r = &w->robots[i];
     r->field = malloc(sizeof *r->field);
@@ -88,7 +87,7 @@ static int make_world(world *w, const table *t, const qtr_deployment *deployment
                                 : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
     r->factor = 1.0;
     r->lost = QTR_NEVER;
-    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, deployment);
+    qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, deployment, 0);
   }
   bool whole = w->robots != NULL;
   for (int i = 0; whole && i < w->count; i++) whole = w->robots[i].field != NULL;
@@ -102,9 +101,9 @@ static int make_world(world *w, const table *t, const qtr_deployment *deployment
 
 /* ---- what happens at a step ---- */
 
-static void tell_others(world *w, int from, enum qtr_signal signal, unsigned territory, qtr_steps now) {
+static void tell_others(world *w, int from, const qtr_signal *signal, qtr_steps now) {
   for (int i = 0; i < w->count; i++)
-    if (i != from && now < w->robots[i].lost) qtr_seeker_hear(&w->robots[i].seeker, signal, territory);
+    if (i != from && now < w->robots[i].lost) qtr_seeker_hear(&w->robots[i].seeker, signal);
 }
 
 static void record_visit(simulation *s, world *w, int i, uint16_t place, qtr_steps now) {
@@ -125,26 +124,24 @@ static bool scan(simulation *s, world *w, int i, qtr_steps now) {
   record_visit(s, w, i, place, now);
   if ((int)place == w->config->target && s->found_step == QTR_NEVER) {
     s->found_step = now;
-    w->finder = w->config->clear_all ? QTR_NOBODY : i;
+    if (!w->config->clear_all) {
+      qtr_seeker_found(&r->seeker);
+      return false;
+    }
   }
-  if (w->finder == i) return false;
   qtr_seeker_visited(&r->seeker, place);
   return true;
 }
 
 static void announce(simulation *s, world *w, int i, qtr_steps now) {
-  uint8_t territory;
+  qtr_signal signal;
   if (now >= w->robots[i].lost) return;
-  if (w->finder == i) {
-    w->finder = QTR_NOBODY;
-    s->found_signals++;
-    qtr_seeker_hear(&w->robots[i].seeker, QTR_SIGNAL_FOUND, 0);
-    tell_others(w, i, QTR_SIGNAL_FOUND, 0, now);
-    return;
-  }
-  while (qtr_seeker_announce(&w->robots[i].seeker, &territory)) {
-    s->done_signals++;
-    tell_others(w, i, QTR_SIGNAL_TERRITORY_DONE, territory, now);
+  while (qtr_seeker_announce(&w->robots[i].seeker, &signal)) {
+    if (signal.kind == QTR_SIGNAL_FOUND)
+      s->found_signals++;
+    else
+      s->done_signals++;
+    tell_others(w, i, &signal, now);
   }
 }
 
@@ -154,13 +151,9 @@ static void set_out(world *w, int i, qtr_steps now) {
   if (now >= r->lost) return;
   const uint16_t target = qtr_seeker_target(&r->seeker);
   if (target == QTR_STAND_DOWN || r->moving || r->ready > now) return;
-  if (r->heading != target) qtr_seeker_field(&r->seeker, r->field);
-  r->heading = target;
+  if (r->heading != target && !qtr_seeker_field(&r->seeker, r->field, r->cell)) return;
+  r->heading = qtr_seeker_target(&r->seeker);
   r->entering = qtr_field_next(r->field, &w->t->policy.grid, r->cell);
-  if (r->entering == QTR_NO_CELL) { /* a table whose travel times do not fit its map: there is no way after all */
-    r->lost = now;
-    return;
-  }
   /* A slow robot that moves on at once keeps the fraction of a step that it was early. */
   const double from = now - r->ready < 1.0 ? r->ready : (double)now;
   r->ready = from + r->factor * qtr_grid_cost(&w->t->policy.grid, r->entering);
@@ -210,7 +203,7 @@ static void add_up(simulation *s, const world *w) {
     sum += probability * step;
   }
   s->expected_time = left_over(w) == 0 ? sum / (visited > 0.0 ? visited : 1.0) : NAN;
-  for (int i = 0; i < w->count; i++) s->off_table += w->robots[i].seeker.off_table;
+  for (int i = 0; i < w->count; i++) s->off_table += w->robots[i].seeker.division.off_table;
 }
 
 int simulation_run(simulation *s, const table *t, const qtr_deployment *deployment, const simulation_config *config,

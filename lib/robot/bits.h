@@ -1,0 +1,20 @@
+/* Sets of 32-bit words as bytes: member i is bit i % 8 of byte i / 8. */
+#ifndef QUARTER_BITS_H
+#define QUARTER_BITS_H
+
+#include <stdint.h>
+
+static inline uint32_t bits_size(unsigned members) {
+  return (members + 7u) / 8u;
+}
+
+static inline uint8_t bits_byte(const uint32_t *word, uint32_t i) {
+  return (uint8_t)(word[i / 4] >> (8 * (i % 4)) & 0xFFu);
+}
+
+/* Add a byte to a set that is clear there. */
+static inline void bits_add(uint32_t *word, uint32_t i, uint8_t byte) {
+  word[i / 4] |= (uint32_t)byte << (8 * (i % 4));
+}
+
+#endif

@@ -1,0 +1,31 @@
+#include "quarter/division.h"
+
+#include <stddef.h>
+
+#include "quarter/nominal.h"
+#include "quarter/status.h"
+
+void qtr_division_begin(qtr_division *division, const qtr_policy *policy, const qtr_deployment *deployment) {
+  division->moves = 0;
+  division->off_table = 0;
+  qtr_joint_start(&division->joint, &policy->board, deployment->start_of, &deployment->cleared);
+}
+
+bool qtr_division_play(qtr_division *division, const qtr_policy *policy) {
+  qtr_joint *joint = &division->joint;
+  int seeker = qtr_joint_chooser(joint, &policy->board);
+  while (seeker == QTR_NOBODY) {
+    if (qtr_joint_advance(joint, &policy->board, NULL) == 0) return false;
+    seeker = qtr_joint_chooser(joint, &policy->board);
+  }
+  bool off_table = false;
+  const uint16_t choice = qtr_policy_choose(policy, joint, seeker, &off_table);
+  division->off_table += off_table;
+  qtr_joint_choose(joint, &policy->board, seeker, choice);
+  if (choice == QTR_STAND_DOWN) return true;
+  QTR_ASSERT(division->moves < QTR_MAX_MOVES); /* as is said where it is defined */
+  if (division->moves == QTR_MAX_MOVES) return false;
+  division->place[division->moves] = choice;
+  division->seeker[division->moves++] = (uint8_t)seeker;
+  return true;
+}

@@ -1,0 +1,20 @@
+#include "quarter/signal.h"
+
+#include "core/bytes.h"
+
+void qtr_signal_write(const qtr_signal *signal, uint8_t *bytes) {
+  store32_le(bytes, signal->identity);
+  store32_le(bytes + 4, signal->run);
+  bytes[8] = signal->kind;
+  bytes[9] = signal->territory;
+}
+
+bool qtr_signal_read(qtr_signal *signal, const uint8_t *bytes, uint32_t size) {
+  if (size != QTR_SIGNAL_BYTES) return false;
+  if (bytes[8] != QTR_SIGNAL_FOUND && bytes[8] != QTR_SIGNAL_TERRITORY_DONE) return false;
+  signal->identity = load32_le(bytes);
+  signal->run = load32_le(bytes + 4);
+  signal->kind = bytes[8];
+  signal->territory = bytes[9];
+  return true;
+}

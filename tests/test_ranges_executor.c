@@ -1,0 +1,116 @@
+/* profiles: host mcu */
+/* The executor, its signals and saves with any integers and bytes at all; the rest of the robot side is in test_ranges.c. */
+#include "support/ranges.h"
+
+static void disturb(qtr_seeker *seeker, test_random *random) {
+  const unsigned place = any_number(random, policy.board.places);
+  const unsigned territory = any_number(random, policy.board.seekers);
+  const uint16_t before = qtr_seeker_target(seeker);
+  qtr_seeker_visited(seeker, place);
+  TEST_ASSERT_EQUAL_MESSAGE(place < policy.board.places, qtr_places_has(&seeker->visited, place), case_note);
+  if (place >= policy.board.places) TEST_ASSERT_EQUAL_HEX16_MESSAGE(before, qtr_seeker_target(seeker), case_note);
+  const uint16_t target = qtr_seeker_target(seeker);
+  const unsigned kind = random_chance(random, 70) ? QTR_SIGNAL_TERRITORY_DONE : any_number(random, 3);
+  const qtr_signal signal = {random_chance(random, 80) ? seeker->identity : (uint32_t)random_bits(random),
+                             random_chance(random, 90) ? 0 : any_number(random, 1), (uint8_t)kind, (uint8_t)territory};
+  if (!qtr_seeker_hear(seeker, &signal)) TEST_ASSERT_EQUAL_HEX16_MESSAGE(target, qtr_seeker_target(seeker), case_note);
+  qtr_seeker_blocked(seeker, random_chance(random, 90) ? QTR_STAND_DOWN : any_number(random, policy.board.places));
+  qtr_seeker_lost(seeker, any_number(random, policy.board.seekers));
+}
+
+/* A save of any bytes is refused or gives an executor that can be asked anything. */
+static void disturb_save(qtr_seeker *seeker, test_random *random) {
+  uint8_t save[QTR_SAVE_BYTES];
+  const int32_t size = qtr_seeker_save(seeker, save, sizeof save);
+  TEST_ASSERT_GREATER_THAN_MESSAGE(0, size, case_note);
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_SPACE, qtr_seeker_save(seeker, save, (uint32_t)size - 1));
+  for (unsigned flips = random_below(random, 3); flips > 0; flips--)
+    save[random_below(random, (uint32_t)size)] ^= (uint8_t)random_bits(random);
+  if (random_chance(random, 50)) store32_le(save + size - 4, qtr_crc32_add(0, save, (uint32_t)size - 4));
+  qtr_seeker again;
+  const unsigned self = random_chance(random, 80) ? seeker->self : any_number(random, policy.board.seekers);
+  const uint32_t given = random_chance(random, 90) ? (uint32_t)size : random_below(random, (uint32_t)size);
+  const int status = qtr_seeker_restore(&again, &policy, self, save, given);
+  TEST_ASSERT_TRUE_MESSAGE(status == QTR_OK || status == QTR_ERR_SAVE, case_note);
+  if (status == QTR_OK) *seeker = again;
+}
+
+static void test_executor_takes_any_words(void) {
+  for (unsigned number = 0; number < 160; number++) {
+    test_random random;
+    qtr_seeker seeker;
+    qtr_signal signal;
+    open_random("words", number, &random);
+    const unsigned self = any_number(&random, policy.board.seekers);
+    const int status = qtr_seeker_init(&seeker, &policy, self, NULL, 0);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(self < policy.board.seekers ? QTR_OK : QTR_ERR_ARGUMENT, status, case_note);
+    for (unsigned words = 0; words < 30 && status == QTR_OK; words++) {
+      disturb(&seeker, &random);
+      disturb_save(&seeker, &random);
+      const uint16_t target = qtr_seeker_target(&seeker);
+      TEST_ASSERT_TRUE_MESSAGE(target < policy.board.places || target == QTR_STAND_DOWN, case_note);
+      const qtr_cell here = (qtr_cell)any_number(&random, qtr_grid_cells(&policy.grid));
+      const bool has_way = qtr_seeker_field(&seeker, &table_field, here);
+      TEST_ASSERT_TRUE_MESSAGE(!has_way || qtr_seeker_standing(&seeker) == QTR_UNDER_WAY, case_note);
+      TEST_ASSERT_LESS_THAN(policy.board.seekers, qtr_seeker_territory(&seeker));
+      TEST_ASSERT_LESS_OR_EQUAL(policy.board.places, qtr_seeker_left(&seeker, NULL));
+      while (qtr_seeker_announce(&seeker, &signal)) TEST_ASSERT_LESS_THAN(policy.board.seekers, signal.territory);
+      TEST_ASSERT_FALSE(qtr_seeker_known(&seeker, policy.board.seekers + 1u, &signal));
+    }
+  }
+}
+
+static void test_signal_of_any_bytes(void) {
+  for (unsigned number = 0; number < 500; number++) {
+    test_random random = random_case("signal", number);
+    uint8_t packet[QTR_SIGNAL_BYTES];
+    uint8_t again[QTR_SIGNAL_BYTES];
+    qtr_signal signal;
+    for (unsigned i = 0; i < sizeof packet; i++) packet[i] = (uint8_t)random_bits(&random);
+    if (random_chance(&random, 70)) packet[8] = (uint8_t)random_below(&random, 4);
+    const bool is_one = packet[8] == QTR_SIGNAL_FOUND || packet[8] == QTR_SIGNAL_TERRITORY_DONE;
+    TEST_ASSERT_EQUAL(is_one, qtr_signal_read(&signal, packet, sizeof packet));
+    TEST_ASSERT_FALSE(qtr_signal_read(&signal, packet, random_below(&random, QTR_SIGNAL_BYTES)));
+    if (!is_one) continue;
+    qtr_signal_write(&signal, again);
+    TEST_ASSERT_EQUAL_MEMORY(packet, again, sizeof packet);
+  }
+}
+
+/* Step by step, a division comes to an end. */
+static void test_division_of_any_deployment_ends(void) {
+  for (unsigned number = 0; number < 100; number++) {
+    test_random random;
+    qtr_deployment deployment;
+    qtr_division division;
+    qtr_places cleared;
+    open_random("division", number, &random);
+    for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) cleared.word[w] = (uint32_t)random_bits(&random);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_deployment_init(&deployment, &policy, NULL, &cleared));
+    for (unsigned i = 0; i < policy.board.seekers; i++)
+      deployment.start_of[i] = (uint16_t)random_below(&random, policy.board.starts);
+    TEST_ASSERT_EQUAL_HEX32(qtr_deployment_identity(&deployment, &policy),
+                            qtr_deployment_identity(&deployment, &policy));
+    qtr_division_begin(&division, &policy, &deployment);
+    unsigned plays = 0;
+    while (qtr_division_play(&division, &policy)) plays++;
+    TEST_ASSERT_FALSE(qtr_division_play(&division, &policy));
+    TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(QTR_MAX_MOVES, division.moves, case_note);
+    TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(plays, division.moves, case_note);
+    qtr_seeker seeker;
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_seeker_init(&seeker, &policy, 0, &deployment, 0));
+    for (unsigned calls = 0; calls < plays; calls++) TEST_ASSERT_TRUE(qtr_seeker_plan(&seeker));
+    TEST_ASSERT_FALSE(qtr_seeker_plan(&seeker));
+    qtr_seeker_found(&seeker);
+    TEST_ASSERT_EQUAL(QTR_STANDS_FOUND, qtr_seeker_standing(&seeker));
+    TEST_ASSERT_EQUAL_UINT32(0, qtr_seeker_foreign(&seeker));
+  }
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_executor_takes_any_words);
+  RUN_TEST(test_signal_of_any_bytes);
+  RUN_TEST(test_division_of_any_deployment_ends);
+  return UNITY_END();
+}
