@@ -1,6 +1,7 @@
 #define _POSIX_C_SOURCE 200809L
 /* What the core rests on is asserted, and each assertion can fail: every one is broken here, on the robot side and in the
- * table's rooms. That all hold otherwise every other test of the core shows, for they link it with its assertions. */
+ * table's rooms; those of the learner's model and aggregates are in test_assertions_model.c, those of search and learning in
+ * test_assertions_search.c. That all hold otherwise every other test of the core shows, for they link it with its assertions. */
 #include <string.h>
 
 #include "core/bytes.h"
@@ -29,10 +30,6 @@ void setUp(void) {
 }
 
 void tearDown(void) {
-}
-
-static void expect_death(const char *what, void (*act)(void)) {
-  TEST_ASSERT_TRUE_MESSAGE(is_death(act), what);
 }
 
 static void set_out(void) {

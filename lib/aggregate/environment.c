@@ -5,6 +5,8 @@
 #include "core/bytes.h"
 #include "quarter/status.h"
 
+#define ROUNDING 1e-9 /* more than adding up the likelihoods of all places is wrong by */
+
 static unsigned places_of(const qtr_environment *e) {
   return e->game->board.places;
 }
@@ -150,6 +152,8 @@ double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int se
 static void collect(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome, double probability,
                     qtr_steps offset, qtr_steps passed) {
   s->unvisited -= probability;
+  /* Each place counts once, under either rule and in any tour: nothing is left of more than there was. */
+  QTR_ASSERT(s->unvisited > -ROUNDING);
   qtr_objective_collect(&e->game->objective, outcome, probability, offset, passed);
 }
 

@@ -97,6 +97,8 @@ static void forget(qtr_nearby *nearby, uint32_t reached) {
 static void search(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
   uint32_t reached = 1;
   unsigned empty = 0;
+  /* The search before this one has been undone: or cells would be taken for reached. */
+  QTR_ASSERT(nearby->time[from] == QTR_NEVER);
   uint32_t found = reach(nearby, from, 0, from, 0) ? 1 : 0;
   for (qtr_steps now = 0; now <= limit && found < nearby->listed && empty < QTR_TRAVEL_RING; now++) {
     const qtr_cell first = ring_take(nearby->ring, now);

@@ -89,13 +89,19 @@ static uint32_t sum_from(const division *d, qtr_cell member) {
 
 static void represent(const division *d, qtr_region region, qtr_cell member) {
   measure(d, member);
-  for (uint32_t i = 0; i < d->nearby->listed; i++) d->scratch->error[d->nearby->list[i]] = (uint16_t)d->nearby->away[i];
+  for (uint32_t i = 0; i < d->nearby->listed; i++) {
+    /* What taking the representative's time for a member's is wrong by (section 5.2.3) is within the diameter. */
+    QTR_ASSERT(d->nearby->away[i] <= d->config->diameter);
+    d->scratch->error[d->nearby->list[i]] = (uint16_t)d->nearby->away[i];
+  }
   d->regions->representative[region] = member;
   d->scratch->changed[region] = 0;
 }
 
 static void find_median(const division *d, qtr_region region) {
   list_whole(d, region);
+  /* A region is connected: all of it is found from any of its cells. */
+  QTR_ASSERT(d->nearby->listed == d->regions->size[region]);
   qtr_cell median = d->nearby->list[0];
   uint32_t least = sum_from(d, median);
   for (uint32_t i = 1; i < d->nearby->listed; i++) {
@@ -442,6 +448,8 @@ static void number(const division *d) {
   regions->count = 0;
   for (uint32_t cell = 0; cell < d->cells; cell++) {
     const qtr_region old = regions->of[cell];
+    /* Every free cell is in a region, and no other. */
+    QTR_ASSERT((old == QTR_NO_REGION) == (qtr_grid_cost(d->nearby->grid, (qtr_cell)cell) == 0));
     if (old == QTR_NO_REGION) continue;
     if (fresh[old] == QTR_NO_CELL) {
       fresh[old] = (qtr_cell)regions->count++;
@@ -450,6 +458,8 @@ static void number(const division *d) {
     }
     regions->of[cell] = (qtr_region)fresh[old];
     regions->size[fresh[old]]++;
+    /* However cells were moved, no region has more than it may. */
+    QTR_ASSERT(regions->size[fresh[old]] <= d->config->max_size);
   }
 }
 

@@ -64,6 +64,8 @@ void qtr_sight_walk(const qtr_sight *sight, qtr_walk *walk, const qtr_tour *tour
       continue;
     }
     const qtr_cell next = next_cell(sight, &grid, walk->cell, goal);
+    /* A way leads over free cells, and each takes a step at least: so the walk ends. */
+    QTR_ASSERT(next != QTR_NO_CELL && mission->cost[next] > 0);
     if (left < mission->cost[next]) break;
     left -= mission->cost[next];
     walk->cell = next;
@@ -75,6 +77,8 @@ void qtr_sight_walk(const qtr_sight *sight, qtr_walk *walk, const qtr_tour *tour
 
 qtr_steps qtr_sight_left(const qtr_sight *sight, const qtr_walk *walk, const qtr_tour *tour, qtr_steps exact) {
   if (!sight->estimating) return exact;
+  /* Who walks is on its way to one of its tour's places: those before it are done. */
+  QTR_ASSERT(walk->stage < tour->places);
   const size_t row = (size_t)sight->regions->of[walk->cell] * sight->game->board.places;
   const qtr_steps left =
       sight->estimate[row + tour->place[walk->stage]] + qtr_tour_length(tour) - tour->step[walk->stage];
@@ -82,6 +86,8 @@ qtr_steps qtr_sight_left(const qtr_sight *sight, const qtr_walk *walk, const qtr
 }
 
 qtr_steps qtr_sight_digit(const qtr_sight *sight, const qtr_walk *walk, bool is_idle) {
+  /* Who is seen stands on a free cell, and each of those has a region: the digit is below its base. */
+  QTR_ASSERT(sight->regions->of[walk->cell] < sight->regions->count);
   return (qtr_steps)sight->regions->of[walk->cell] * QTR_MAX_SPOT_SIZE + (is_idle ? 0u : walk->stage);
 }
 

@@ -293,10 +293,19 @@ static bool follow(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned 
   return true;
 }
 
+static bool are_different(const uint16_t *place, unsigned count) {
+  for (unsigned i = 0; i < count; i++)
+    for (unsigned j = 0; j < i; j++)
+      if (place[i] == place[j]) return false;
+  return true;
+}
+
 static bool can_be_toured(const qtr_spot_ground *ground, const uint16_t *place, unsigned count) {
   if (count < 1 || count > QTR_MAX_SPOT_SIZE) return false;
   for (unsigned i = 0; i < count; i++)
     if (place[i] >= ground->places) return false;
+  /* A tour visits each of the spot's places once: a set of them is a number below 2^count. */
+  QTR_ASSERT(are_different(place, count));
   return true;
 }
 

@@ -3,13 +3,20 @@
 #include <math.h>
 
 #include "learn/role.h"
+#include "quarter/status.h"
 
 double qtr_certificate_within(const qtr_learner *learner, double share) {
   const double gap = learner->config.gap > QTR_LEAST_GAP ? learner->config.gap : QTR_LEAST_GAP;
   return learner->best.score.worth + share * gap * fabs(learner->best.score.worth);
 }
 
+bool qtr_certificate_bounds(double upper, double worth) {
+  return upper >= worth - QTR_NEGLIGIBLE * (1.0 + fabs(worth));
+}
+
 bool qtr_certificate_closed(const qtr_learner *learner) {
+  /* The best game is a policy, and the bound is on every policy. */
+  QTR_ASSERT(qtr_certificate_bounds(learner->ground_upper, learner->best.score.worth));
   return learner->ground_upper <= qtr_certificate_within(learner, 1.0);
 }
 

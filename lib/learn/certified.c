@@ -5,8 +5,14 @@
 #include "learn/certificate.h"
 #include "learn/episode.h"
 #include "learn/role.h"
+#include "quarter/status.h"
 
 #define LATER_ROUNDS 4 /* of shaking a better game */
+
+static bool is_below_entry(const qtr_learner *learner, const qtr_key *key, double backup) {
+  double stored;
+  return !qtr_qtable_get(&learner->table, key, &stored) || backup < stored;
+}
 
 /* Q(s,a) <- min(Q(s,a), backup); `value` is the largest Q of the state where the episode ended. Returns the largest Q of
  * the first state. */
@@ -15,6 +21,8 @@ static double back_up_all(qtr_learner *learner, double value) {
     const qtr_trace *trace = &learner->trace[i];
     const double backup = qtr_qtable_round_up(&learner->table, qtr_episode_backup(trace, value));
     double q = trace->at_once + backup;
+    /* Q only ever falls: an entry is the least of bounds, each of them Q* or more. */
+    QTR_ASSERT(q >= trace->q || is_below_entry(learner, &trace->key, backup));
     if (q < trace->q && qtr_qtable_set(&learner->table, &trace->key, backup))
       learner->updates++;
     else
@@ -49,6 +57,8 @@ static void certified_run(qtr_learner *learner) {
     discount *= trace->outcome.discount;
   }
   const double upper = back_up_all(learner, value);
+  /* A game played to its end is what some policy earns: Q(s0, a) >= Q* is no less. */
+  QTR_ASSERT(seeker != QTR_NOBODY || qtr_certificate_bounds(upper, earned));
   if (upper < learner->upper) learner->upper = upper;
   if (!learner_is_aggregate(learner)) learner->ground_upper = learner->upper;
   if (seeker == QTR_NOBODY) qtr_episode_keep_if_best(learner);
@@ -74,6 +84,8 @@ enum qtr_learning qtr_certified_step(qtr_learner *learner) {
   certified_run(learner);
   if (learner->best.score.worth > best) qtr_certified_refine(learner, LATER_ROUNDS);
   if (!learner_is_aggregate(learner)) learner->ground_upper = learner->upper;
+  /* Anytime: what is known when learning stops is the best that was ever known. */
+  QTR_ASSERT(learner->best.score.worth >= best && learner->upper <= upper);
   const bool learnt = learner->updates > updates || learner->best.score.worth > best || learner->upper < upper;
   return learnt || qtr_certificate_closed(learner) || !learner_may_go_on(learner) ? qtr_certificate_verdict(learner)
                                                                                   : QTR_CONVERGED;

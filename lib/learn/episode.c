@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "learn/role.h"
+#include "quarter/status.h"
 
 /* The first difference of the settings: what Q is before it is learnt. The paper setting knows nothing; the certified one
  * begins at an upper bound. */
@@ -37,6 +38,8 @@ void qtr_episode_list(qtr_learner *learner, const qtr_situation *state, int seek
   for (uint16_t place = 0; place < board->places; place++)
     if (qtr_places_has(&choices, place)) add_candidate(learner, state, seeker, place);
   if (may_stand_down) add_candidate(learner, state, seeker, QTR_STAND_DOWN);
+  /* Whose turn it is has a target to choose: max Q(s', a') of Eq. 4.7 is over something. */
+  QTR_ASSERT(learner->candidates.count > 0);
 }
 
 unsigned qtr_episode_greedy(const qtr_candidates *c) {
@@ -55,6 +58,8 @@ static double largest_but(const qtr_candidates *c, unsigned picked) {
 
 void qtr_episode_note(qtr_learner *learner, unsigned picked) {
   const qtr_candidates *c = &learner->candidates;
+  /* Each place is chosen once and each seeker stands down once: a game is no longer than its trace. */
+  QTR_ASSERT(learner->play.choices < QTR_MAX_CHOICES);
   qtr_trace *trace = &learner->trace[learner->play.choices];
   trace->key = c->key[picked];
   trace->q = c->q[picked];
@@ -71,6 +76,8 @@ void qtr_episode_act(qtr_learner *learner, qtr_situation *state, int seeker, uin
 }
 
 double qtr_episode_backup(const qtr_trace *trace, double value) {
+  /* gamma^tau: a backup never makes more of what comes after, so that it keeps a bound one. */
+  QTR_ASSERT(trace->outcome.discount >= 0.0 && trace->outcome.discount <= 1.0);
   return trace->outcome.reward + trace->outcome.discount * value;
 }
 

@@ -64,6 +64,8 @@ int qtr_belief_found(qtr_belief *belief, unsigned place) {
 void qtr_belief_estimate(const qtr_belief *belief, double *estimate) {
   double sum = 0.0;
   for (unsigned p = 0; p < belief->places; p++) sum += belief->prior[p] + belief->found[p];
+  /* A Dirichlet distribution's parameters are above 0, or it has no mean. */
+  QTR_ASSERT(sum > 0.0);
   for (unsigned p = 0; p < belief->places; p++) estimate[p] = (belief->prior[p] + belief->found[p]) / sum;
 }
 
@@ -88,6 +90,8 @@ static double weight_of(const qtr_search *search, const qtr_belief *belief, unsi
 /* The sum of it. 0 where a sensor would have had to fail so often that it is as good as never. */
 static double weigh(const qtr_search *search, const qtr_belief *belief) {
   double sum = 0.0;
+  /* Bayes' rule takes prior and likelihood over the same places. */
+  QTR_ASSERT(search->places == belief->places);
   for (unsigned p = 0; p < belief->places; p++) sum += weight_of(search, belief, p);
   return sum < DBL_MIN ? 0.0 : sum;
 }

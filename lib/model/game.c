@@ -1,8 +1,12 @@
 #include "quarter/game.h"
 
+#include <math.h>
 #include <stddef.h>
 
 #include "model/matrix.h"
+#include "quarter/status.h"
+
+#define ROUNDING 1e-9 /* more than adding up the likelihoods of all places is wrong by */
 
 /* ---- set-up ---- */
 
@@ -25,11 +29,19 @@ static bool measure_travel(qtr_game *game, qtr_field *field) {
   return game->measured == game->mission->places;
 }
 
+static double sum_of_probabilities(const qtr_game *game) {
+  double sum = 0.0;
+  for (unsigned place = 0; place < game->board.places; place++) sum += game->probability[place];
+  return sum;
+}
+
 static void set_probabilities(qtr_game *game) {
   const qtr_mission *mission = game->mission;
   double sum = 0.0;
   for (unsigned place = 0; place < mission->places; place++) sum += mission->weight[place];
   for (unsigned place = 0; place < mission->places; place++) game->probability[place] = mission->weight[place] / sum;
+  /* P is a distribution (section 4.1): what is unvisited begins at 1 and ends at 0. */
+  QTR_ASSERT(fabs(sum_of_probabilities(game) - 1.0) < ROUNDING);
 }
 
 static qtr_steps steps_at_first(const qtr_game *game, unsigned seeker, unsigned place) {
@@ -112,6 +124,8 @@ static void collect(const qtr_game *game, qtr_state *state, qtr_outcome *outcome
   qtr_objective_pass(&game->objective, outcome, passed);
   state->now += passed;
   state->unvisited -= probability;
+  /* No place is taken off twice: a likelihood below 0 would earn by waiting. */
+  QTR_ASSERT(state->unvisited > -ROUNDING);
 }
 
 double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint16_t choice) {

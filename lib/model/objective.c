@@ -27,6 +27,8 @@ void qtr_aim_undiscount(qtr_aim *aim) {
 
 /* By multiplication alone: pow() differs between C libraries, and a run must repeat bit for bit. */
 void qtr_objective_init(qtr_objective *objective, const qtr_aim *aim) {
+  /* Worth falls with time for 0 < gamma < 1 alone (Eq. 3.1), and every bound rests on that. */
+  QTR_ASSERT(qtr_aim_check(aim) == QTR_OK);
   objective->kind = aim->kind;
   objective->power[0] = 1.0;
   for (unsigned n = 1; n < QTR_OBJECTIVE_POWERS; n++) objective->power[n] = objective->power[n - 1] * aim->gamma;
@@ -60,6 +62,8 @@ void qtr_objective_score(const qtr_objective *objective, qtr_score *score, const
     score->value += qtr_objective_discounted(objective, probability[place], visit[place]);
     score->expected_time += probability[place] * (double)visit[place];
   }
+  /* w times a mean of powers of gamma, each at most 1, over the places. */
+  QTR_ASSERT(score->value >= 0.0 && score->value <= QTR_REWARD_SCALE * (1.0 + QTR_NEGLIGIBLE));
   score->worth = qtr_objective_of_score(objective->kind, score);
 }
 
@@ -112,6 +116,8 @@ void qtr_objective_wait(const qtr_objective *objective, qtr_outcome *outcome, do
 
 void qtr_objective_collect(const qtr_objective *objective, qtr_outcome *outcome, double probability, qtr_steps offset,
                            qtr_steps passed) {
+  /* A visit lies within its stretch, gamma^(offset-1) of Eq. 4.7: at the stretch's start it was counted before. */
+  QTR_ASSERT(offset > 0 && offset <= passed);
   if (objective->kind == QTR_TIME)
     outcome->reward += probability * (double)(passed - offset);
   else

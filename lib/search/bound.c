@@ -101,6 +101,8 @@ static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned place, double ne
   uint16_t other = QTR_STAND_DOWN;
   for (unsigned target = 0; target < targets; target++) {
     if (apart[target] == QTR_NEVER) continue;
+    /* Walks move on in time: C(t, p) needs later slots alone, and those have been filled. */
+    QTR_ASSERT(apart[target] > 0);
     const double on = gain_in(bound, here, first_of(bound, exit, target), slot + apart[target]);
     if (on <= second) continue;
     if (on > best) {
@@ -172,6 +174,8 @@ static double evaluate(qtr_bound *bound, const double *price, int *visits) {
   double upper = 0.0;
   if (!fill_gains(bound, price)) return HUGE_VAL;
   for (unsigned target = 0; target < targets_of(bound); target++) {
+    /* A play that leaves a target out saves its price: that must not lose it anything. */
+    QTR_ASSERT(price[target] >= 0.0 || qtr_objective_needs_all(&bound->game->objective));
     upper += price[target];
     visits[target] = 0;
   }
@@ -208,6 +212,8 @@ static void cut_time(qtr_bound *bound, qtr_steps last_visit) {
   for (unsigned place = 0; place < places; place++)
     for (unsigned target = 0; target < targets; target++)
       if (steps_apart(bound, place, target) < shortest) shortest = steps_apart(bound, place, target);
+  /* Places lie on different cells, and each step takes one of time. */
+  QTR_ASSERT(shortest > 0);
   uint64_t horizon = (uint64_t)last_visit * HORIZON + bound->environment->board.keys.longest + 2;
   if (horizon > QTR_NEVER / 2) horizon = QTR_NEVER / 2;
   uint64_t steps = (horizon + QTR_BOUND_SLOTS - 1) / QTR_BOUND_SLOTS;
@@ -248,11 +254,24 @@ static double upper_at_once(const qtr_bound *bound) {
   return upper;
 }
 
+/* Whether the targets divide the places among themselves. */
+static bool are_division(const qtr_targets *targets, unsigned places) {
+  unsigned listed = 0;
+  for (unsigned target = 0; target < targets->count; target++)
+    for (unsigned i = 0; i < qtr_targets_size(targets, target); i++, listed++)
+      if (qtr_targets_of(targets, qtr_targets_place(targets, target, i)) != target) return false;
+  return listed == places;
+}
+
 int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit,
                          uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   const qtr_board *board = &environment->game->board;
   int visits[QTR_MAX_PLACES];
+  /* Every visit belongs to one target, whose price its seeker pays once. */
+  QTR_ASSERT(are_division(&environment->targets, board->places));
+  /* Times that are estimates bound nothing: regions have no prices. */
+  QTR_ASSERT(qtr_sight_is_exact(&environment->sight));
   bound->environment = environment;
   bound->game = environment->game;
   for (unsigned node = 0; node < (unsigned)board->places + board->starts; node++)

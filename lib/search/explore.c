@@ -60,6 +60,8 @@ static unsigned pick_softmax(qtr_explorer *explorer, const double *q, unsigned c
   const double top = q[largest(q, count)];
   double sum = 0.0;
   for (unsigned i = 0; i < count; i++) sum += exp_of((q[i] - top) / explorer->rate);
+  /* The largest Q counts for exp(0) = 1, so some choice is always taken. */
+  QTR_ASSERT(sum >= 1.0);
   double left = draw(explorer) * sum;
   for (unsigned i = 0; i + 1 < count; i++) {
     left -= exp_of((q[i] - top) / explorer->rate);

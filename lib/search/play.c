@@ -2,6 +2,8 @@
 
 #include <stddef.h>
 
+#include "quarter/status.h"
+
 void qtr_play_begin(qtr_play *play) {
   play->choices = 0;
   for (unsigned place = 0; place < QTR_MAX_PLACES; place++) play->visit[place] = QTR_NEVER;
@@ -20,6 +22,8 @@ void qtr_play_score(qtr_play *play, const qtr_game *game) {
   qtr_game_start(game, &state);
   for (unsigned i = 0; i < play->choices; i++) {
     const uint16_t choice = play->choice[i];
+    /* A play is the choices of whose turn it was, so that playing them again is the same game. */
+    QTR_ASSERT(qtr_joint_chooser(&state.joint, &game->board) == play->seeker[i]);
     if (choice != QTR_STAND_DOWN) {
       const qtr_steps when =
           state.now + qtr_board_steps(&game->board, play->seeker[i], state.joint.node[play->seeker[i]], choice);
@@ -74,6 +78,8 @@ void qtr_play_by_rate(qtr_play *play, const qtr_game *game) {
 }
 
 void qtr_play_routes(qtr_play *play, const qtr_game *game, const qtr_routes *routes) {
+  /* Who visits what is a division: nobody's route holds what another one's does. */
+  QTR_ASSERT(qtr_routes_are_division(routes, game->board.seekers));
   play_out(play, game, routes);
 }
 

@@ -60,6 +60,8 @@ static void store_value(const qtr_qtable *table, entry *made, double value) {
 static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key, double value) {
   memcpy(made->word, key->word, table->key_words * sizeof(uint32_t));
   if (stored_words(table) > table->key_words) made->word[table->key_words] = 0;
+  /* Keys are below 2^bits: the bits above, where the tag goes, are free. */
+  QTR_ASSERT((made->word[stored_words(table) - 1] & TAG_MASK) == 0);
   made->word[stored_words(table) - 1] |= table->tag;
   store_value(table, made, value);
 }
@@ -109,6 +111,8 @@ uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table) {
 /* The slot of an entry with this key, or the free slot where it belongs. One slot is always free. */
 static uint32_t find_slot(const qtr_qtable *table, const entry *sought) {
   const size_t bytes = stored_words(table) * sizeof(uint32_t);
+  /* Some slot is free, or a search for a key that is not there would go round for ever. */
+  QTR_ASSERT(table->entries < table->slots);
   uint32_t slot = home_slot(table, sought);
   while (slot_tag(table, slot_read(table, slot)) != 0 && memcmp(slot_read(table, slot), sought->word, bytes) != 0)
     slot = after(table, slot);
@@ -160,8 +164,11 @@ double qtr_qtable_nearest(const qtr_qtable *table, double value) {
 
 double qtr_qtable_round_up(const qtr_qtable *table, double value) {
   if (is_precise(table)) return value;
-  const float rounded = (float)value;
-  return (double)((double)rounded < value ? nextafterf(rounded, HUGE_VALF) : rounded);
+  const float nearest = (float)value;
+  const float rounded = (double)nearest < value ? nextafterf(nearest, HUGE_VALF) : nearest;
+  /* Q >= Q* outlives being stored. */
+  QTR_ASSERT((double)rounded >= value);
+  return (double)rounded;
 }
 
 bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
@@ -173,6 +180,8 @@ bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
       grow(table);
       make_entry(table, &made, key, value);
       slot = find_slot(table, &made);
+      /* Growing moves entries, and makes and loses none. */
+      QTR_ASSERT(slot_tag(table, slot_read(table, slot)) == 0);
     }
     if (table->entries + 1 >= table->slots - table->slots / 16) {
       table->refused++;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "quarter/random.h"
+#include "quarter/status.h"
 
 #define SEGMENT_MOST 3 /* places that are moved together */
 #define WORTHLESS (-1e300)
@@ -24,6 +25,18 @@ qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const 
     node = places[i];
   }
   return score;
+}
+
+bool qtr_routes_are_division(const qtr_routes *routes, unsigned seekers) {
+  qtr_places taken;
+  qtr_places_clear(&taken);
+  for (unsigned seeker = 0; seeker < seekers; seeker++) {
+    for (unsigned i = 0; i < routes->length[seeker]; i++) {
+      if (qtr_places_has(&taken, routes->place[seeker][i])) return false;
+      qtr_places_add(&taken, routes->place[seeker][i]);
+    }
+  }
+  return true;
 }
 
 static qtr_route_score sum_of(qtr_route_score a, qtr_route_score b) {
@@ -222,9 +235,13 @@ static qtr_route_score evaluate_all(qtr_routes *routes, const qtr_game *game) {
 
 void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed) {
   r->random = seed * 0x9E3779B97F4A7C15u + 1u;
-  evaluate_all(routes, game);
+  /* Moves take places from route to route: what is no division at first never becomes one. */
+  QTR_ASSERT(qtr_routes_are_division(routes, game->board.seekers));
+  const qtr_route_score given = evaluate_all(routes, game);
   descend(r, routes, game);
   qtr_route_score best = evaluate_all(routes, game);
+  /* Each move that is kept betters the sum. */
+  QTR_ASSERT(!is_worth_more(given, best));
   r->best = *routes;
   for (unsigned round = 0; round < rounds && may_go_on(game); round++) {
     for (unsigned shakes = 1 + draw(r, SHAKES_MOST); shakes > 0; shakes--) shake(r, routes, game);

@@ -10,6 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "unity.h"
+
 /* Whether `act` ends at the compiler's trap, and not otherwise or in silence. */
 static inline bool is_death(void (*act)(void)) {
   int status = 0;
@@ -23,6 +25,10 @@ static inline bool is_death(void (*act)(void)) {
   }
   if (process < 0 || waitpid(process, &status, 0) != process) return false;
   return WIFSIGNALED(status) && (WTERMSIG(status) == SIGILL || WTERMSIG(status) == SIGTRAP);
+}
+
+static inline void expect_death(const char *what, void (*act)(void)) {
+  TEST_ASSERT_TRUE_MESSAGE(is_death(act), what);
 }
 
 #endif

@@ -1,0 +1,277 @@
+#define _POSIX_C_SOURCE 200809L
+/* What bound, search and learner rest on is asserted, and each assertion can fail. */
+#include <math.h>
+#include <string.h>
+
+#include "learn/episode.h"
+#include "support/death.h"
+#include "support/tables.h"
+
+static qtr_learner *const learner = &table_learner;
+static qtr_regions regions;
+static qtr_regions_scratch scratch;
+static qtr_environment seen; /* an aggregate of the ground */
+static qtr_situation situation;
+static qtr_routes routes;
+static qtr_play play;
+
+/* Two seekers at one start, three places, learnt to the end. */
+void setUp(void) {
+  snprintf(case_note, sizeof case_note, "by hand");
+  table_draw("1..S..2/..~...3", 2);
+  play = learner->best;
+  qtr_play_to_routes(&play, &table_game, &routes);
+  qtr_environment_start(&table_ground, &situation);
+}
+
+void tearDown(void) {
+}
+
+/* ---- the bound ---- */
+
+static void begin_bound(const qtr_environment *environment) {
+  qtr_bound_init(&learner->bound, environment, play.visit);
+}
+
+static void bound_a_place_in_two_targets(void) {
+  table_ground.targets.spots.spot_of[0] = 1;
+  begin_bound(&table_ground);
+}
+
+static void bound_estimates(void) {
+  qtr_regions_config limits;
+  const qtr_grid grid = qtr_mission_grid(&table_mission);
+  const qtr_aggregation how = {.regions = &regions};
+  qtr_regions_default(&limits);
+  qtr_regions_build(&regions, &grid, &limits, &scratch);
+  qtr_environment_init(&seen, &table_game, &how, &table_field);
+  begin_bound(&seen);
+}
+
+static void bound_ways_without_time(void) {
+  store32_le(table_game.steps + 4 * 1, 0); /* from place 0 to place 1 */
+  begin_bound(&table_ground);
+}
+
+static void bound_walks_that_stand_still(void) {
+  learner->bound.slots_apart[1] = 0;
+  qtr_bound_improve(&learner->bound, 0.0);
+}
+
+static void pay_for_leaving_out(void) {
+  learner->bound.trial[0] = -1.0;
+  qtr_bound_improve(&learner->bound, 0.0);
+}
+
+static void test_bound(void) {
+  expect_death("targets divide the places", bound_a_place_in_two_targets);
+  expect_death("estimates bound nothing", bound_estimates);
+  expect_death("a way takes time", bound_ways_without_time);
+  expect_death("walks move on in time", bound_walks_that_stand_still);
+  expect_death("a place left out costs nothing", pay_for_leaving_out);
+}
+
+/* ---- the Q-table ---- */
+
+static qtr_qtable table;
+
+/* Keys 0, 1, 2 ... up to where the next one makes the table grow. */
+static void fill_table(void) {
+  qtr_key_shape shape = {.places = 20, .nodes = 20, .longest = 99, .seekers = 1};
+  qtr_key key = {{0}};
+  qtr_key_measure(&shape);
+  TEST_ASSERT_EQUAL(1, shape.words);
+  qtr_qtable_init(&table, &shape, false);
+  for (; table.entries < table.slots / 8 * 7; key.word[0]++) qtr_qtable_set(&table, &key, 1.0);
+}
+
+static void store_a_key_beyond_the_greatest(void) {
+  const qtr_key key = {{UINT32_MAX, UINT32_MAX}};
+  table.entry_words = 2;
+  qtr_qtable_set(&table, &key, 1.0);
+}
+
+static void search_where_no_slot_is_free(void) {
+  const qtr_key key = {{0}};
+  double value;
+  table.entries = table.slots;
+  qtr_qtable_get(&table, &key, &value);
+}
+
+static void round_what_is_no_number(void) {
+  qtr_qtable_round_up(&table, (double)NAN);
+}
+
+/* The key lies where it is not looked for, until the table grows. */
+static void find_a_key_by_growing(void) {
+  const qtr_key key = {{1000000}};
+  double value;
+  for (uint32_t slot = 0; slot < table.slots; slot++) {
+    uint32_t *word = &table.word[slot * table.entry_words];
+    const uint32_t before = *word;
+    if (before == 0) continue;
+    *word = key.word[0];
+    if (!qtr_qtable_get(&table, &key, &value)) break;
+    *word = before;
+  }
+  qtr_qtable_set(&table, &key, 1.0);
+}
+
+static void test_qtable(void) {
+  fill_table();
+  expect_death("keys leave room for the tag", store_a_key_beyond_the_greatest);
+  expect_death("a slot is free", search_where_no_slot_is_free);
+  expect_death("a bound stays one", round_what_is_no_number);
+  expect_death("growing makes no entries", find_a_key_by_growing);
+}
+
+/* ---- plays and routes ---- */
+
+static void explore_without_numbers(void) {
+  const double q[2] = {(double)NAN, (double)NAN};
+  const qtr_exploration_plan plan = {QTR_EXPLORE_SOFTMAX, 1.0, 1.0, 1.0};
+  qtr_explorer explorer;
+  qtr_explorer_init(&explorer, &plan, 1);
+  qtr_explorer_pick(&explorer, q, 2);
+}
+
+static void play_out_of_turn(void) {
+  play.seeker[0] ^= 1;
+  qtr_play_score(&play, &table_game);
+}
+
+static void share_a_place(void) {
+  routes.length[0] = routes.length[1] = 1;
+  routes.place[0][0] = routes.place[1][0] = 2;
+}
+
+static void play_a_place_twice(void) {
+  share_a_place();
+  qtr_play_routes(&play, &table_game, &routes);
+}
+
+static void refine_a_place_twice(void) {
+  share_a_place();
+  qtr_refine(&learner->refinery, &routes, &table_game, 0, 1);
+}
+
+static bool halve_the_likelihoods(void *context) {
+  (void)context;
+  for (unsigned place = 0; place < table_game.board.places; place++) table_game.probability[place] /= 2.0;
+  return true;
+}
+
+static void lose_by_refining(void) {
+  table_mission.watch.go_on = halve_the_likelihoods;
+  qtr_refine(&learner->refinery, &routes, &table_game, 0, 1);
+}
+
+static void test_plays_and_routes(void) {
+  expect_death("the largest Q is a number", explore_without_numbers);
+  expect_death("a play is by turns", play_out_of_turn);
+  expect_death("routes that are played share no place", play_a_place_twice);
+  expect_death("nor do those that are searched", refine_a_place_twice);
+  expect_death("a search never loses", lose_by_refining);
+}
+
+/* ---- episodes ---- */
+
+static void list_for_who_is_on_the_way(void) {
+  qtr_environment_choose(&table_ground, &situation, 0, 0);
+  qtr_episode_list(learner, &situation, 0);
+}
+
+static void note_more_than_a_game(void) {
+  qtr_episode_list(learner, &situation, 0);
+  learner->play.choices = QTR_MAX_CHOICES;
+  qtr_episode_note(learner, 0);
+}
+
+static void back_up_more_than_there_is(void) {
+  const qtr_trace trace = {.outcome = {.reward = 0.0, .discount = 1.5}};
+  qtr_episode_backup(&trace, 1.0);
+}
+
+static void beat_the_bound(void) {
+  qtr_certificate certificate;
+  learner->best.score.worth += 1.0;
+  qtr_learner_certificate(learner, &certificate);
+}
+
+static void test_episodes(void) {
+  expect_death("whose turn it is has a choice", list_for_who_is_on_the_way);
+  expect_death("a game is no longer than its trace", note_more_than_a_game);
+  expect_death("what comes later counts no more", back_up_more_than_there_is);
+  expect_death("nothing beats the bound", beat_the_bound);
+}
+
+/* ---- the certified setting: an episode, spoilt by the mission's watch ---- */
+
+/* As if a poor game were the best one known: the episode is played to its end. */
+static void learn(bool (*spoil)(void *)) {
+  qtr_qtable_init(&learner->table, &learner->environment->keys, false);
+  learner->phase = QTR_PHASE_EPISODES;
+  learner->upper = learner->ground_upper = 1000.0;
+  learner->best.score.worth = 0.01;
+  table_mission.watch.go_on = spoil;
+  qtr_learner_step(learner);
+}
+
+static void learn_undisturbed(void) {
+  learn(NULL);
+}
+
+static bool lower_the_entry(void *context) {
+  (void)context;
+  qtr_trace *trace = &learner->trace[learner->play.choices];
+  qtr_qtable_set(&learner->table, &trace->key, -1.0);
+  trace->q = 100.0;
+  return true;
+}
+
+static void raise_an_entry(void) {
+  learn(lower_the_entry);
+}
+
+static bool lower_the_first_q(void *context) {
+  (void)context;
+  learner->trace[0].q = learner->trace[0].runner_up = -100.0;
+  return true;
+}
+
+/* On spots, where the ground's bound knows nothing of Q. */
+static void earn_more_than_q(void) {
+  const qtr_aggregation how = {.by_spots = true, .spots = {.size = 2, .diameter = 1}};
+  qtr_learner_config config;
+  qtr_learner_config_default(&config);
+  qtr_environment_init(&seen, &table_game, &how, &table_field);
+  qtr_learner_init(learner, &table_ground, &seen, &config);
+  learn(lower_the_first_q);
+}
+
+static bool forget_the_best(void *context) {
+  (void)context;
+  learner->best.score.worth = -1.0;
+  return false;
+}
+
+static void know_less_than_before(void) {
+  learn(forget_the_best);
+}
+
+static void test_certified_setting(void) {
+  TEST_ASSERT_FALSE(is_death(learn_undisturbed));
+  expect_death("Q never rises", raise_an_entry);
+  expect_death("Q is what can be earned or more", earn_more_than_q);
+  expect_death("what is known stays known", know_less_than_before);
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_bound);
+  RUN_TEST(test_qtable);
+  RUN_TEST(test_plays_and_routes);
+  RUN_TEST(test_episodes);
+  RUN_TEST(test_certified_setting);
+  return UNITY_END();
+}
