@@ -5,6 +5,7 @@
 #include "learn/role.h"
 #include "quarter/status.h"
 
+/* Worths are negative under expected time, and a share of the gap is upwards in both. */
 double qtr_certificate_within(const qtr_learner *learner, double share) {
   const double gap = learner->config.gap > QTR_LEAST_GAP ? learner->config.gap : QTR_LEAST_GAP;
   return learner->best.score.worth + share * gap * fabs(learner->best.score.worth);
@@ -20,13 +21,15 @@ bool qtr_certificate_closed(const qtr_learner *learner) {
   return learner->ground_upper <= qtr_certificate_within(learner, 1.0);
 }
 
+/* On an aggregate its own bound may meet the best game while the ground's does not: then the aggregate has no more to give. */
 enum qtr_learning qtr_certificate_verdict(const qtr_learner *learner) {
   if (learner->phase != QTR_PHASE_EPISODES || learner->upper > qtr_certificate_within(learner, 1.0))
     return QTR_LEARNING;
   return qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
 }
 
-/* Places that count for next to nothing: discounted away, or hardly likely. */
+/* A discounted objective cannot tell plans apart that differ in what lies far off: the certificate says how much of it there is.
+ * Places that count for next to nothing: discounted away, or hardly likely. */
 static uint16_t count_negligible(const qtr_learner *learner) {
   const qtr_play *best = &learner->best;
   const double least = QTR_NEGLIGIBLE * fabs(best->score.worth);
@@ -36,6 +39,7 @@ static uint16_t count_negligible(const qtr_learner *learner) {
   return count;
 }
 
+/* (bound - worth) / |worth|, from the ground alone: what an aggregate bounds is its own policies. */
 void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certificate) {
   const qtr_score *score = &learner->best.score;
   const uint8_t objective = learner->game->objective.kind;

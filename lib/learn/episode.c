@@ -12,7 +12,8 @@ static double initial_value(const qtr_learner *learner, const qtr_situation *aft
   return learner_is_paper(learner) ? 0.0 : qtr_bound_state(&learner->bound, after);
 }
 
-/* In the certified setting the bound may be tighter than an entry that was made at another step of the clock. */
+/* In the certified setting the bound may be tighter than an entry that was made at another step of the clock: keys without a clock know no
+ * time, prices do. Both are Q* or more, so the lesser is. */
 static double entry_value(const qtr_learner *learner, const qtr_situation *after, const qtr_key *key) {
   const double initial = initial_value(learner, after);
   double stored;
@@ -20,6 +21,8 @@ static double entry_value(const qtr_learner *learner, const qtr_situation *after
   return learner_is_paper(learner) || stored < initial ? stored : initial;
 }
 
+/* Q(s, a) is what the choice earns at once + the entry of the joint state after it: pairs (s, a) that lead to one such state
+ * share the entry. */
 static void add_candidate(qtr_learner *learner, const qtr_situation *state, int seeker, uint16_t choice) {
   qtr_candidates *c = &learner->candidates;
   const unsigned i = c->count++;
@@ -49,6 +52,7 @@ unsigned qtr_episode_greedy(const qtr_candidates *c) {
   return best;
 }
 
+/* max over a' != a of Q(s, a'): with it the backup knows max Q of a state without listing its choices again. */
 static double largest_but(const qtr_candidates *c, unsigned picked) {
   double largest = -HUGE_VAL;
   for (unsigned i = 0; i < c->count; i++)
@@ -75,6 +79,7 @@ void qtr_episode_act(qtr_learner *learner, qtr_situation *state, int seeker, uin
   qtr_play_add(&learner->play, seeker, choice);
 }
 
+/* gamma^(tau-1) R + gamma^tau max Q(s', a'): the outcome's reward and discount hold both powers. */
 double qtr_episode_backup(const qtr_trace *trace, double value) {
   /* gamma^tau: a backup never makes more of what comes after, so that it keeps a bound one. */
   QTR_ASSERT(trace->outcome.discount >= 0.0 && trace->outcome.discount <= 1.0);

@@ -6,7 +6,8 @@
 #include "learn/episode.h"
 #include "learn/role.h"
 
-/* Q(s,a) <- (1 - alpha) Q(s,a) + alpha backup, for the choice made last; `value` is the largest Q of the state now. */
+/* Q(s,a) <- (1 - alpha) Q(s,a) + alpha backup, for the choice made last; `value` is the largest Q of the state now. With
+ * alpha = 1 that is Eq. 4.7 itself, right where a choice always leads to one state. */
 static void back_up_last(qtr_learner *learner, double value) {
   if (learner->play.choices == 0) return;
   const qtr_trace *trace = &learner->trace[learner->play.choices - 1];
@@ -17,7 +18,8 @@ static void back_up_last(qtr_learner *learner, double value) {
   if (qtr_qtable_set(&learner->table, &trace->key, after)) learner->updates++;
 }
 
-/* False: stopped. What was learnt until then stays. */
+/* Each choice is backed up when the next one's Q are known (Fig. 3.1), the last one when nothing more can come. False:
+ * stopped. What was learnt until then stays. */
 static bool run_exploring_episode(qtr_learner *learner) {
   qtr_situation state;
   int seeker;
@@ -37,7 +39,8 @@ static bool run_exploring_episode(qtr_learner *learner) {
   return true;
 }
 
-/* What has been learnt so far, played without learning. The first such game is the best one, whatever was played before. */
+/* What has been learnt so far, played without learning: the policy that the paper measures. The first such game is the best
+ * one, whatever was played before, for the setting is to show what it learns by itself. */
 static void play_greedily(qtr_learner *learner) {
   qtr_situation state;
   int seeker;
@@ -54,6 +57,7 @@ static void play_greedily(qtr_learner *learner) {
   qtr_episode_keep_if_best(learner);
 }
 
+/* With a gap of 0 the paper's experiments go on for as many episodes as they ask for. */
 enum qtr_learning qtr_exploring_step(qtr_learner *learner) {
   if (!run_exploring_episode(learner)) return QTR_LEARNING;
   learner->episodes++;

@@ -24,6 +24,8 @@ void qtr_learner_config_default(qtr_learner_config *config) {
 
 /* ---- set-up ---- */
 
+/* Regions have estimates for times, which bound nothing; and only under the free rule are routes that were learnt on an aggregate
+ * a game on the ground. */
 static int check_config(qtr_learner *learner, const qtr_learner_config *config) {
   if (!(config->gap >= 0.0 && config->gap < HUGE_VAL) || config->setting > QTR_SETTING_PAPER) return QTR_ERR_ARGUMENT;
   if (!(config->alpha > 0.0 && config->alpha <= 1.0)) return QTR_ERR_ARGUMENT;
@@ -68,6 +70,8 @@ static void play_first(qtr_learner *learner) {
   qtr_certified_refine(learner, FIRST_ROUNDS);
 }
 
+/* The bound begins on the ground, whatever is learnt on: its prices are the certificate's. Floats round Q up by as much as 1.2e-7 of it for
+ * each backup, which a gap below QTR_FLOAT_GAP would not forgive. */
 int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, const qtr_environment *aggregate,
                            const qtr_learner_config *config, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -92,13 +96,14 @@ int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, 
 
 /* ---- phases: prices of the ground, prices of an aggregate, episodes ---- */
 
-/* The aggregate's prices bound its policies, and no others. */
+/* The aggregate's prices bound its policies, and no others: they are where its Q begins. */
 static void begin_aggregate(qtr_learner *learner) {
   learner->phase = QTR_PHASE_AGGREGATE_PRICES;
   qtr_bound_init(&learner->bound, learner->environment, learner->best.visit);
   learner->upper = learner->bound.upper;
 }
 
+/* Prices of the ground bound what is learnt on it, too; those of an aggregate nothing but that. */
 static void note_upper(qtr_learner *learner) {
   const double upper = learner->bound.upper;
   const bool of_ground = learner->phase == QTR_PHASE_GROUND_PRICES;
@@ -106,6 +111,7 @@ static void note_upper(qtr_learner *learner) {
   if ((!of_ground || !learner_is_aggregate(learner)) && upper < learner->upper) learner->upper = upper;
 }
 
+/* The goal is the best game known, which no bound falls below. Episodes need the best prices' C, so they are settled first. */
 static void tune_prices(qtr_learner *learner) {
   bool improves = true;
   for (int i = 0; i < PRICE_STEPS && improves; i++)
@@ -118,6 +124,7 @@ static void tune_prices(qtr_learner *learner) {
     learner->phase = QTR_PHASE_EPISODES;
 }
 
+/* Prices alone often close the gap, when local search has found the best game: then no Q is needed. */
 static enum qtr_learning step_prices(qtr_learner *learner) {
   if (!learner_learns_alone(learner) && qtr_certificate_closed(learner)) return QTR_CERTIFIED;
   tune_prices(learner);

@@ -3,6 +3,7 @@
 #include "quarter/random.h"
 #include "quarter/status.h"
 
+/* Watkins and Dayan: Q converges if every choice of every state is taken infinitely often; with a rate that stays it is. */
 void qtr_exploration_default(qtr_exploration_plan *plan) {
   plan->kind = QTR_EXPLORE_EPSILON;
   plan->first = 0.3;
@@ -29,6 +30,7 @@ static double draw(qtr_explorer *explorer) {
   return qtr_splitmix_unit(&explorer->random);
 }
 
+/* drawn < 1 as a double, but times a count it may round up to the count. */
 static unsigned draw_below(qtr_explorer *explorer, unsigned count) {
   const unsigned drawn = (unsigned)(draw(explorer) * (double)count);
   return drawn < count ? drawn : count - 1;
@@ -56,6 +58,8 @@ static double exp_of(double x) {
   return sum;
 }
 
+/* P(i) = exp(Q_i / T) / sum over j of exp(Q_j / T). With the largest Q taken off each nothing overflows, and the shares stay
+ * the same. */
 static unsigned pick_softmax(qtr_explorer *explorer, const double *q, unsigned count) {
   const double top = q[largest(q, count)];
   double sum = 0.0;
@@ -70,6 +74,7 @@ static unsigned pick_softmax(qtr_explorer *explorer, const double *q, unsigned c
   return count - 1;
 }
 
+/* Q-learning converges whatever the strategy, if it takes every choice of every state again and again (paper, section 3.1). */
 unsigned qtr_explorer_pick(qtr_explorer *explorer, const double *q, unsigned count) {
   if (count == 0) return 0;
   switch (explorer->plan.kind) {
@@ -79,6 +84,7 @@ unsigned qtr_explorer_pick(qtr_explorer *explorer, const double *q, unsigned cou
   }
 }
 
+/* rate(n) = max(last, first decay^n), a product at a time. */
 void qtr_explorer_next(qtr_explorer *explorer) {
   explorer->rate *= explorer->plan.decay;
   if (explorer->rate < explorer->plan.last) explorer->rate = explorer->plan.last;

@@ -16,6 +16,8 @@ void qtr_play_add(qtr_play *play, int seeker, uint16_t choice) {
   play->choice[play->choices++] = choice;
 }
 
+/* A place counts at its first visit: under the paper's rule two seekers may be bound for it, and the later choice may come
+ * sooner. */
 void qtr_play_score(qtr_play *play, const qtr_game *game) {
   qtr_state state;
   qtr_outcome outcome;
@@ -35,7 +37,8 @@ void qtr_play_score(qtr_play *play, const qtr_game *game) {
   qtr_game_score(game, play->visit, &play->score);
 }
 
-/* Among the places that a seeker may choose, the most likely one for the way to it. */
+/* Among the places that a seeker may choose, the most likely one for the way to it: P / d, the greedy rule of search theory, as
+ * robots have it off their table. At no distance d counts for half a step. */
 static uint16_t best_rate(const qtr_game *game, const qtr_state *state, int seeker) {
   qtr_places choices;
   uint16_t choice = QTR_STAND_DOWN;
@@ -52,7 +55,8 @@ static uint16_t best_rate(const qtr_game *game, const qtr_state *state, int seek
   return choice;
 }
 
-/* Play a game to its end: each seeker by its route, or by rate if there are none. */
+/* Play a game to its end: each seeker by its route, or by rate if there are none. Routes divide the places, so
+ * under the free rule each place is still free when its turn comes. */
 static void play_out(qtr_play *play, const qtr_game *game, const qtr_routes *routes) {
   uint16_t next[QTR_MAX_SEEKERS] = {0};
   qtr_state state;
@@ -83,6 +87,7 @@ void qtr_play_routes(qtr_play *play, const qtr_game *game, const qtr_routes *rou
   play_out(play, game, routes);
 }
 
+/* Under the paper's rule followers choose a place that another one is bound for: then it is on both their routes. */
 void qtr_play_to_routes(const qtr_play *play, const qtr_game *game, qtr_routes *routes) {
   for (unsigned seeker = 0; seeker < game->board.seekers; seeker++) routes->length[seeker] = 0;
   for (unsigned i = 0; i < play->choices; i++) {

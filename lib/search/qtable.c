@@ -57,6 +57,7 @@ static void store_value(const qtr_qtable *table, entry *made, double value) {
     memcpy(&made->word[stored_words(table)], &single, sizeof single);
 }
 
+/* A key's words are as many as its bits take; with the tag's two bits that can be one word more. */
 static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key, double value) {
   memcpy(made->word, key->word, table->key_words * sizeof(uint32_t));
   if (stored_words(table) > table->key_words) made->word[table->key_words] = 0;
@@ -66,7 +67,8 @@ static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key,
   store_value(table, made, value);
 }
 
-/* Murmur3's mixing, on the key without its tag. */
+/* Murmur3's mixing, on the key without its tag. Where an entry lies decides how long it is sought and nothing else, so no run
+ * depends on the hash. */
 static uint32_t hash_entry(const qtr_qtable *table, const entry *hashed) {
   uint32_t hash = 0x9E3779B9u;
   for (unsigned w = 0; w < stored_words(table); w++) {
@@ -82,6 +84,8 @@ static uint32_t hash_entry(const qtr_qtable *table, const entry *hashed) {
   return hash ^ hash >> 16;
 }
 
+/* hash / 2^32 of the way through the slots: any number of them will do, and where an entry lies in a table twice as large
+ * is about twice as far. */
 static uint32_t home_slot(const qtr_qtable *table, const entry *homed) {
   return (uint32_t)((uint64_t)hash_entry(table, homed) * table->slots >> 32);
 }
@@ -90,6 +94,7 @@ static uint32_t after(const qtr_qtable *table, uint32_t slot) {
   return slot + 1 < table->slots ? slot + 1 : 0;
 }
 
+/* It begins small and doubles, so that a small game touches few pages. */
 int qtr_qtable_init_built(qtr_qtable *table, const qtr_key_shape *keys, bool precise, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   table->key_words = keys->words;
@@ -108,7 +113,8 @@ uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table) {
   return table->entry_words * (uint32_t)sizeof(uint32_t);
 }
 
-/* The slot of an entry with this key, or the free slot where it belongs. One slot is always free. */
+/* The slot of an entry with this key, or the free slot where it belongs: linear probing, which reads memory in order. Nothing
+ * is ever taken out, so a free slot ends every search. */
 static uint32_t find_slot(const qtr_qtable *table, const entry *sought) {
   const size_t bytes = stored_words(table) * sizeof(uint32_t);
   /* Some slot is free, or a search for a key that is not there would go round for ever. */
@@ -149,6 +155,7 @@ static void grow(qtr_qtable *table) {
   }
 }
 
+/* Between two growths every entry has the table's tag, so key and tag are compared at once. */
 bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, double *value) {
   entry sought;
   make_entry(table, &sought, key, 0.0);
@@ -162,6 +169,7 @@ double qtr_qtable_nearest(const qtr_qtable *table, double value) {
   return is_precise(table) ? value : (double)(float)value;
 }
 
+/* The least float that is not below: Q >= Q* must hold of what is stored. */
 double qtr_qtable_round_up(const qtr_qtable *table, double value) {
   if (is_precise(table)) return value;
   const float nearest = (float)value;
@@ -171,6 +179,7 @@ double qtr_qtable_round_up(const qtr_qtable *table, double value) {
   return (double)rounded;
 }
 
+/* Up to 7/8 full before it grows, and 15/16 where it cannot: a search in vain then looks at (1 + 16^2) / 2 slots (Knuth). */
 bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
   entry made;
   make_entry(table, &made, key, value);

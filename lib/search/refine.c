@@ -11,6 +11,7 @@
 #define ROUNDING 1e-12 /* relative: more than adding up a route is wrong by */
 #define SHAKES_MOST 3  /* random moves in a round */
 
+/* Under the free rule seekers do not hinder one another: a game's worth is the sum over its routes, each by itself. */
 qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length) {
   if (seeker >= game->board.seekers) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
   unsigned node = (unsigned)game->board.places + game->board.start_of[seeker];
@@ -43,7 +44,7 @@ static qtr_route_score sum_of(qtr_route_score a, qtr_route_score b) {
   return (qtr_route_score){a.worth + b.worth, a.time + b.time};
 }
 
-/* By more than rounding. */
+/* By more than rounding: or a move and its undoing could both be gains, and the search go to and fro. */
 static bool is_worth_more(qtr_route_score after, qtr_route_score before) {
   return after.worth > before.worth + ROUNDING * fabs(before.worth);
 }
@@ -77,6 +78,7 @@ static unsigned append_reversed(uint16_t *route, unsigned length, const uint16_t
   return length + count;
 }
 
+/* A move within a route leaves the other ones as they are, so its own score decides. */
 static bool keep_one(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker, unsigned length) {
   const qtr_route_score score = qtr_route_evaluate(game, seeker, r->a, length);
   if (!is_better(score, routes->score[seeker])) return false;
@@ -142,6 +144,7 @@ static bool may_go_on(const qtr_game *game) {
   return qtr_watch_go_on(&game->mission->watch);
 }
 
+/* Or-opt: short runs of places elsewhere into the same route, in their order. */
 static bool search_shifts(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker) {
   const unsigned length = routes->length[seeker];
   for (unsigned count = 1; count <= SEGMENT_MOST && count < length; count++)
@@ -151,6 +154,7 @@ static bool search_shifts(qtr_refinery *r, qtr_routes *routes, const qtr_game *g
   return false;
 }
 
+/* 2-opt. Ways differ by direction on terrain, so the whole route is evaluated anew. */
 static bool search_reversals(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker) {
   for (unsigned from = 0; from + 1 < routes->length[seeker] && may_go_on(game); from++)
     for (unsigned to = from + 2; to <= routes->length[seeker]; to++)
@@ -183,12 +187,14 @@ static bool search_tails(qtr_refinery *r, qtr_routes *routes, const qtr_game *ga
   return false;
 }
 
+/* Whose places go over matters where a run is given for another one, so those pairs come in both orders; tails are traded. */
 static bool search_pair(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned second) {
   if (first == second) return search_shifts(r, routes, game, first) || search_reversals(r, routes, game, first);
   return search_exchanges(r, routes, game, first, second) ||
          (first < second && search_tails(r, routes, game, first, second));
 }
 
+/* The first move found that betters is made. A local optimum of all these neighbourhoods at once is left only by shaking. */
 static void descend(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
   const unsigned seekers = game->board.seekers;
   unsigned settled = 0;
@@ -205,7 +211,8 @@ static unsigned draw(qtr_refinery *r, unsigned below) {
   return qtr_lcg_below(&r->random, below);
 }
 
-/* Take a few places out of one route and put them somewhere into another, better or not. */
+/* Take a few places out of one route and put them somewhere into another, better or not: against the score of a worthless
+ * route every move is a gain. */
 static void shake(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
   const unsigned seekers = game->board.seekers;
   const unsigned first = draw(r, seekers);
@@ -233,6 +240,8 @@ static qtr_route_score evaluate_all(qtr_routes *routes, const qtr_game *game) {
   return sum;
 }
 
+/* Iterated local search: shake the best routes, descend, keep what is better. The learner's proof has no use for where its
+ * first game came from, so nothing here needs to be optimal. */
 void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed) {
   r->random = seed * 0x9E3779B97F4A7C15u + 1u;
   /* Moves take places from route to route: what is no division at first never becomes one. */
