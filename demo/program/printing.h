@@ -13,10 +13,4 @@ static inline int print_end(const char *program) {
   return 2;
 }
 
-/* Print the text, and see that it got through. */
-static inline int print_whole(const char *program, const char *text) {
-  fputs(text, stdout);
-  return print_end(program);
-}
-
 #endif

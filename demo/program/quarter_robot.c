@@ -9,6 +9,7 @@
 #include "bus.h"
 #include "host/base/clock.h"
 #include "host/base/count.h"
+#include "host/base/option.h"
 #include "host/table/table_check.h"
 #include "patience.h"
 #include "printing.h"
@@ -17,26 +18,68 @@
 
 #define TABLE_MOST (64u << 20)
 
-static const char help[] =
+typedef struct {
+  const char *table, *url;
+  uint8_t self; /* NOBODY: not said */
+  uint32_t run;
+  bool clear_all, help, version;
+} words;
+
+enum { NOBODY = UINT8_MAX };
+_Static_assert(DEMO_MOST_ROBOTS <= NOBODY, "every robot has a number");
+
+/* ---- the command line ---- */
+
+static option_table records = {
+    {.name = "robot",
+     .argument = "N",
+     .help = "which robot, from 0",
+     .kind = OPTION_COUNT,
+     OPTION_FIELD(words, self),
+     .last = DEMO_MOST_ROBOTS - 1},
+    {.name = "lcm-url",
+     .argument = "URL",
+     .help = "the bus (default: LCM_DEFAULT_URL, or udpm on this machine)",
+     .kind = OPTION_TEXT,
+     OPTION_FIELD(words, url)},
+    {.name = "run-number",
+     .argument = "N",
+     .help = "which search by this table it is (default %s): signals of another one are ignored",
+     .standard = "0",
+     .kind = OPTION_COUNT,
+     OPTION_FIELD(words, run),
+     .last = 0x7FFFFFFE},
+    {.name = "clear-all", .help = "a find stops nobody", .kind = OPTION_MARK, OPTION_FIELD(words, clear_all)},
+    {.name = "help", .letter = 'h', .help = "tell what there is", .kind = OPTION_MARK, OPTION_FIELD(words, help)},
+    {.name = "version", .help = "print it", .kind = OPTION_MARK, OPTION_FIELD(words, version)},
+    {.name = NULL}};
+
+static const char intro[] =
     "quarter-robot mission.qtr --robot 0         robot 0 of the table's, on the bus that LCM_DEFAULT_URL names\n"
     "\n"
     "It hears its own pose and scan and TERMINATE, and says its own command and TERMINATE. Start quarter-world first.\n"
-    "\n"
-    "      --robot N       which robot, from 0\n"
-    "      --lcm-url URL   the bus (default: LCM_DEFAULT_URL, or udpm on this machine)\n"
-    "      --run-number N  which search by this table it is (default 0): signals of another one are ignored\n"
-    "      --clear-all     a find stops nobody\n"
-    "      --version       print it\n"
+    "\n";
+
+static const option_line lines[] = {
+    {"robot", NULL, 22}, {"lcm-url", NULL, 22}, {"run-number", NULL, 22}, {"clear-all", NULL, 22}, {"version", NULL, 22}, {NULL, NULL, 0}};
+
+static const char outro[] =
     "\n"
     "Exit status: 0 its search is over; 2 bad input; 3 no world on the bus, or it fell silent before the search was "
     "over.\n";
 
-typedef struct {
-  const char *table, *url;
-  int self;
-  long run;
-  bool clear_all, version;
-} words;
+static const option_set set = {NULL, intro, outro, records, lines};
+
+static int parse(words *w, int argc, char **argv, fault *why) {
+  *w = (words){.self = NOBODY};
+  if (option_parse(w, &set, argc, argv, why) != 0) return -1;
+  if (w->help || w->version) return 0;
+  if (optind + 1 != argc)
+    return fault_set(why, "name one table and a robot, as mission.qtr --robot N; --help shows how");
+  if (w->self == NOBODY) return fault_set(why, "say which robot it is: --robot N");
+  w->table = argv[optind];
+  return 0;
+}
 
 static volatile sig_atomic_t ended;
 static qtr_policy policy;
@@ -51,6 +94,20 @@ static void on_end(int number) {
 static int complain(const char *what, const char *why) {
   fprintf(stderr, "quarter-robot: %s: %s\n", what, why);
   return 2;
+}
+
+static int refuse(const fault *why) {
+  fprintf(stderr, "quarter-robot: %s\n", why->text);
+  return why->status;
+}
+
+/* What is asked of the program itself. */
+static int tell(const words *w) {
+  if (w->help)
+    option_help(stdout, &set);
+  else
+    fputs("quarter-robot " QTR_VERSION_STRING "\n", stdout);
+  return print_end("quarter-robot");
 }
 
 /* ---- the bus ---- */
@@ -104,64 +161,20 @@ static void *read_whole(const char *path, uint32_t *size, const char **why) {
   return bytes;
 }
 
-/* A number below `most`; -1: it is none. */
-static long number_of(const char *text, long most) {
-  char *end;
-  const long number = strtol(text, &end, 10);
-  return end != text && *end == '\0' && number >= 0 && number < most ? number : -1;
-}
-
-/* 0: more may come; 1: something to be printed; -1: no such option. */
-static int take(words *w, int letter) {
-  switch (letter) {
-  case 'r': w->self = (int)number_of(optarg, DEMO_MOST_ROBOTS); return 0;
-  case 'n': w->run = number_of(optarg, 0x7FFFFFFF); return 0;
-  case 'u': w->url = optarg; return 0;
-  case 'c': w->clear_all = true; return 0;
-  case 'v': w->version = true; return 1;
-  default: return letter == 'h' ? 1 : -1;
-  }
-}
-
-static int parse(words *w, int argc, char **argv) {
-  static const struct option longs[] = {{"robot", required_argument, NULL, 'r'},
-                                        {"lcm-url", required_argument, NULL, 'u'},
-                                        {"run-number", required_argument, NULL, 'n'},
-                                        {"clear-all", no_argument, NULL, 'c'},
-                                        {"help", no_argument, NULL, 'h'},
-                                        {"version", no_argument, NULL, 'v'},
-                                        {NULL, 0, NULL, 0}};
-  int letter;
-  *w = (words){.self = -1};
-  while ((letter = getopt_long(argc, argv, "h", longs, NULL)) != -1) {
-    const int asked = take(w, letter);
-    if (asked != 0) return asked;
-  }
-  w->table = optind + 1 == argc ? argv[optind] : NULL;
-  return w->table != NULL && w->self >= 0 && w->run >= 0 ? 0 : -1;
-}
-
 int main(int argc, char **argv) {
   words w;
   uint32_t size = 0;
   bus *b;
   fault why;
-  const int asked = parse(&w, argc, argv);
-  if (asked > 0) return print_whole("quarter-robot", w.version ? "quarter-robot " QTR_VERSION_STRING "\n" : help);
-  if (asked < 0) {
-    fputs(help, stderr);
-    return 2;
-  }
+  if (parse(&w, argc, argv, &why) != 0) return refuse(&why);
+  if (w.help || w.version) return tell(&w);
   const char *unread;
   void *bytes = read_whole(w.table, &size, &unread);
   if (bytes == NULL) return complain(w.table, unread);
   int status = qtr_policy_open(&policy, bytes, size);
   if (status != QTR_OK) return complain(w.table, qtr_strerror(status));
-  if (table_check(&policy, w.table, &why) != 0) {
-    fprintf(stderr, "quarter-robot: %s\n", why.text);
-    return 2;
-  }
-  status = qtr_seeker_init(&seeker, &policy, (unsigned)w.self, NULL, (uint32_t)w.run);
+  if (table_check(&policy, w.table, &why) != 0) return refuse(&why);
+  status = qtr_seeker_init(&seeker, &policy, w.self, NULL, w.run);
   if (status != QTR_OK) return complain("--robot", "the table has no such robot");
   if (bus_open(&b, w.url, &why) != 0) return complain("the bus", why.text);
   signal(SIGINT, on_end);

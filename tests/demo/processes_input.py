@@ -50,10 +50,13 @@ class BadInput(Case):
                 ([*world("--seed", "x")], ["--seed"])):
             with self.subTest(words=[str(word) for word in words[1:]]):
                 self.refuse(words, *says)
-        for words in ([], [asked.table], [asked.table, "--robot", "-1"], [asked.table, "--robot", "x"]):
-            status, output, errors = network.Program([asked.programs / "quarter-robot", *words]).end()
-            self.assertEqual((status, output), (2, ""))
-            self.assertIn("--robot N", errors)
+        for words, says in (
+                ([], ["--robot N"]), ([asked.table], ["--robot N"]), (["--robot", "0"], ["mission.qtr"]),
+                ([asked.table, asked.table, "--robot", "0"], ["one table"]), ([asked.table, "--robot"], ["--robot"]),
+                ([asked.table, "--robot", "-1"], ["--robot -1"]), ([asked.table, "--robot", "x"], ["--robot x"]),
+                ([asked.table, "--robot", "256"], ["--robot 256"]), ([asked.table, "--robt", "0"], ["--robot?"]),
+                ([asked.table, "--clear-all=1", "--robot", "0"], ["--clear-all=1"])):
+            self.refuse([asked.programs / "quarter-robot", *words], *says)
         self.refuse(robot(len(asked.plan["starts"])), "--robot")
 
     def test_tables(self):
