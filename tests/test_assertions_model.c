@@ -7,6 +7,7 @@
 #include "quarter/nearby.h"
 #include "quarter/spots.h"
 #include "support/death.h"
+#include "support/settings.h"
 #include "support/tables.h"
 
 static qtr_regions regions;
@@ -21,9 +22,9 @@ void setUp(void) {
   snprintf(case_note, sizeof case_note, "by hand");
   table_draw("1..S..2/..~.#.3", 2);
   const qtr_grid grid = qtr_mission_grid(&table_mission);
-  limits = (qtr_regions_config){.max_size = 3, .diameter = 5};
+  limits = region_limits(3, 5);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &limits, &scratch));
-  const qtr_aggregation how = {.regions = &regions};
+  const qtr_aggregation how = aggregation_of(NULL, &regions);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&seen, &table_game, &how, &table_field));
 }
 

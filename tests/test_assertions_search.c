@@ -5,6 +5,7 @@
 
 #include "learn/episode.h"
 #include "support/death.h"
+#include "support/settings.h"
 #include "support/tables.h"
 
 static qtr_learner *const learner = &table_learner;
@@ -41,7 +42,7 @@ static void bound_a_place_in_two_targets(void) {
 static void bound_estimates(void) {
   qtr_regions_config limits;
   const qtr_grid grid = qtr_mission_grid(&table_mission);
-  const qtr_aggregation how = {.regions = &regions};
+  const qtr_aggregation how = aggregation_of(NULL, &regions);
   qtr_regions_default(&limits);
   qtr_regions_build(&regions, &grid, &limits, &scratch);
   qtr_environment_init(&seen, &table_game, &how, &table_field);
@@ -129,8 +130,10 @@ static void test_qtable(void) {
 
 static void explore_without_numbers(void) {
   const double q[2] = {(double)NAN, (double)NAN};
-  const qtr_exploration_plan plan = {QTR_EXPLORE_SOFTMAX, 1.0, 1.0, 1.0};
+  qtr_exploration_plan plan;
   qtr_explorer explorer;
+  qtr_exploration_default(&plan);
+  plan.kind = QTR_EXPLORE_SOFTMAX;
   qtr_explorer_init(&explorer, &plan, 1);
   qtr_explorer_pick(&explorer, q, 2);
 }
@@ -241,7 +244,8 @@ static bool lower_the_first_q(void *context) {
 
 /* On spots, where the ground's bound knows nothing of Q. */
 static void earn_more_than_q(void) {
-  const qtr_aggregation how = {.by_spots = true, .spots = {.size = 2, .diameter = 1}};
+  const qtr_spots_config spots = spot_limits(2, 1, 0.0);
+  const qtr_aggregation how = aggregation_of(&spots, NULL);
   qtr_learner_config config;
   qtr_learner_config_default(&config);
   qtr_environment_init(&seen, &table_game, &how, &table_field);

@@ -4,6 +4,7 @@
 
 #include "quarter/learn.h"
 #include "quarter/robot.h"
+#include "support/settings.h"
 #include "support/tables.h"
 
 #define FOREIGN (QTR_CONFIG_ID + 1u)
@@ -53,7 +54,7 @@ static void test_learner_side_refuses_callers_of_other_sizes(void) {
   static qtr_start_trials trials;
   const qtr_any_start_asked asked = {&table_game, NULL, true};
   const qtr_any_start_blocks blocks = {NULL, NULL, NULL, NULL, 0};
-  const qtr_spots_config limits = {2, 5, 0.0};
+  const qtr_spots_config limits = spot_limits(2, 5, 0.0);
   qtr_regions_config sizes;
   qtr_regions_default(&sizes);
   table_draw("1..S..2/..1...S", 0);

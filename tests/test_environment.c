@@ -8,6 +8,7 @@
 #include "quarter/learner.h"
 #include "support/missions.h"
 #include "support/random.h"
+#include "support/settings.h"
 #include "unity.h"
 
 static qtr_mission mission;
@@ -33,8 +34,10 @@ static void set_up_game(void) {
 
 /* The rule that targets are chosen by is the mission's; the ground is played by the free one. */
 static void set_up_aggregate(const qtr_spots_config *spots, uint8_t order, const qtr_regions *by_regions) {
-  const qtr_aggregation how = {mission.rule, spots != NULL, spots != NULL ? *spots : (qtr_spots_config){1, 1, 0.0},
-                               order,        by_regions,    region_times};
+  qtr_aggregation how = aggregation_of(spots, by_regions);
+  how.rule = mission.rule;
+  how.spot_order = order;
+  how.region_times = region_times;
   game.board.rule = QTR_RULE_FREE;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&aggregate, &game, &how, &field), case_note);
 }
@@ -89,7 +92,8 @@ static void test_without_aggregation_it_is_the_game(void) {
 /* ---- spots ---- */
 
 static qtr_spots_config random_spots(test_random *random) {
-  const qtr_spots_config config = {(uint8_t)random_in(random, 1, 4), (qtr_steps)random_in(random, 1, 12), 0.0};
+  const qtr_spots_config config =
+      spot_limits((uint8_t)random_in(random, 1, 4), (qtr_steps)random_in(random, 1, 12), 0.0);
   return config;
 }
 
@@ -170,7 +174,7 @@ static void test_the_best_policy_of_the_spots_is_found(void) {
     while (mission.places < 4);
     mission.rule = QTR_RULE_FREE;
     set_up_game();
-    const qtr_spots_config spots = {4, 9, 0.0};
+    const qtr_spots_config spots = spot_limits(4, 9, 0.0);
     set_up_aggregate(&spots, QTR_SPOT_BEST, NULL);
     if (aggregate.targets.count > 5) continue;
     qtr_learner_config_default(&config);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "support/settings.h"
 #include "support/tables.h"
 
 static qtr_environment aggregate;
@@ -93,7 +94,9 @@ static void test_best_play_of_all_episodes_is_reported(void) {
 
 /* By the paper's rule two seekers go for the one target. On the ground its places are the first one's alone. */
 static void test_target_of_two_seekers_is_on_one_route(void) {
-  const qtr_aggregation how = {.rule = QTR_RULE_PAPER, .by_spots = true, .spots = {2, 3, 0.0}};
+  const qtr_spots_config spots = spot_limits(2, 3, 0.0);
+  qtr_aggregation how = aggregation_of(&spots, NULL);
+  how.rule = QTR_RULE_PAPER;
   set_up("1.2..S", 2);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&aggregate, &table_game, &how, &table_field));
   TEST_ASSERT_EQUAL(1, aggregate.targets.count);

@@ -373,17 +373,20 @@ static void test_places_out_of_range_are_refused(void) {
   expect_places_refused(QTR_ERR_ARGUMENT);
 }
 
+static int build_within(uint32_t max_size, uint32_t diameter) {
+  config.max_size = max_size;
+  config.diameter = diameter;
+  TEST_ASSERT_EQUAL_INT(qtr_regions_check(&config), qtr_regions_build(&regions, &grid, &config, &scratch));
+  return qtr_regions_check(&config);
+}
+
 static void test_limits_out_of_range_are_refused(void) {
   draw("..");
-  const qtr_regions_config none = {.max_size = 0, .diameter = 15}, point = {.max_size = 25, .diameter = 0};
-  const qtr_regions_config large = {.max_size = QTR_MAX_REGION_SIZE + 1, .diameter = 15};
-  const qtr_regions_config wide = {.max_size = 25, .diameter = QTR_MAX_REGION_DIAMETER + 1};
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_regions_build(&regions, &grid, &none, &scratch));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_regions_build(&regions, &grid, &point, &scratch));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, qtr_regions_build(&regions, &grid, &large, &scratch));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, qtr_regions_build(&regions, &grid, &wide, &scratch));
-  const qtr_regions_config most = {.max_size = QTR_MAX_REGION_SIZE, .diameter = QTR_MAX_REGION_DIAMETER};
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &most, &scratch));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, build_within(0, 15));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, build_within(25, 0));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, build_within(QTR_MAX_REGION_SIZE + 1, 15));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, build_within(25, QTR_MAX_REGION_DIAMETER + 1));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, build_within(QTR_MAX_REGION_SIZE, QTR_MAX_REGION_DIAMETER));
 }
 
 static void test_a_grid_out_of_range_is_refused(void) {

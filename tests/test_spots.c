@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "quarter/spots.h"
+#include "support/settings.h"
 #include "support/spot_ground.h"
 #include "unity.h"
 
@@ -14,7 +15,7 @@ static qtr_spots spots, again, scratch;
 
 void setUp(void) {
   memset(&spots, 0xA5, sizeof spots);
-  config = (qtr_spots_config){QTR_MAX_SPOT_SIZE, 10, 0.0};
+  config = spot_limits(QTR_MAX_SPOT_SIZE, 10, 0.0);
 }
 
 void tearDown(void) {
@@ -108,7 +109,7 @@ static void test_as_many_places_as_the_build_holds(void) {
 static void test_building_twice_gives_the_same(void) {
   test_random random = random_case("twice", 1);
   scatter(&random, QTR_MAX_PLACES, 40);
-  config = (qtr_spots_config){QTR_MAX_SPOT_SIZE, 30, 0.3};
+  config = spot_limits(QTR_MAX_SPOT_SIZE, 30, 0.3);
   build();
   again = spots;
   memset(&spots, 0x5A, sizeof spots);
@@ -194,7 +195,7 @@ static void test_the_paper_s_setting_gives_no_more_spots_than_the_paper(void) {
   TEST_ASSERT_EQUAL_UINT(657, free_cells);
   TEST_ASSERT_EQUAL_UINT(12, mission.places);
   measure();
-  config = (qtr_spots_config){5, 25, 0.0};
+  config = spot_limits(5, 25, 0.0);
   build();
   expect_partition();
   expect_limits_kept();
@@ -204,7 +205,7 @@ static void test_the_paper_s_setting_gives_no_more_spots_than_the_paper(void) {
 static void test_places_that_are_closer_come_together(void) {
   /* 0 1 . . 4 5 . . . 9 10: pairs, not a pair across a gap */
   corridor(6, (int[]){0, 1, 4, 5, 9, 10}, (double[]){1, 1, 1, 1, 1, 1}, 0);
-  config = (qtr_spots_config){2, 5, 0.0};
+  config = spot_limits(2, 5, 0.0);
   build();
   TEST_ASSERT_EQUAL_UINT(3, spots.count);
   for (unsigned p = 0; p < 6; p++) TEST_ASSERT_EQUAL_UINT(p / 2, spots.spot_of[p]);
@@ -212,7 +213,7 @@ static void test_places_that_are_closer_come_together(void) {
 
 static void test_a_spot_is_emptied_into_the_others(void) {
   corridor(6, (int[]){0, 3, 5, 8, 10, 13}, (double[]){1, 1, 1, 1, 1, 1}, 0);
-  config = (qtr_spots_config){2, 3, 0.0};
+  config = spot_limits(2, 3, 0.0);
   build(); /* joining 3 with 5 and 8 with 10 would leave 0 and 13 alone: four spots */
   TEST_ASSERT_EQUAL_UINT(3, spots.count);
 }
@@ -281,19 +282,19 @@ static void expect_refusal(int status, qtr_spots_config wrong) {
 
 static void test_sizes_diameters_and_weights_out_of_range_are_refused(void) {
   corridor(2, (int[]){0, 4}, (double[]){1, 1}, 0);
-  expect_refusal(QTR_ERR_ARGUMENT, (qtr_spots_config){0, 10, 0.0});
-  expect_refusal(QTR_ERR_LIMIT, (qtr_spots_config){QTR_MAX_SPOT_SIZE + 1, 10, 0.0});
-  expect_refusal(QTR_ERR_ARGUMENT, (qtr_spots_config){1, 0, 0.0});
-  expect_refusal(QTR_ERR_ARGUMENT, (qtr_spots_config){1, QTR_NEVER, 0.0});
-  expect_refusal(QTR_ERR_ARGUMENT, (qtr_spots_config){1, 10, -0.1});
-  expect_refusal(QTR_ERR_ARGUMENT, (qtr_spots_config){1, 10, (double)NAN});
-  expect_refusal(QTR_ERR_ARGUMENT, (qtr_spots_config){1, 10, (double)INFINITY});
+  expect_refusal(QTR_ERR_ARGUMENT, spot_limits(0, 10, 0.0));
+  expect_refusal(QTR_ERR_LIMIT, spot_limits(QTR_MAX_SPOT_SIZE + 1, 10, 0.0));
+  expect_refusal(QTR_ERR_ARGUMENT, spot_limits(1, 0, 0.0));
+  expect_refusal(QTR_ERR_ARGUMENT, spot_limits(1, QTR_NEVER, 0.0));
+  expect_refusal(QTR_ERR_ARGUMENT, spot_limits(1, 10, -0.1));
+  expect_refusal(QTR_ERR_ARGUMENT, spot_limits(1, 10, (double)NAN));
+  expect_refusal(QTR_ERR_ARGUMENT, spot_limits(1, 10, (double)INFINITY));
 }
 
 static void test_grounds_that_are_none_are_refused(void) {
   corridor(2, (int[]){0, 4}, (double[]){1, 0}, 0);
-  expect_refusal(QTR_OK, (qtr_spots_config){1, 10, 0.0});
-  expect_refusal(QTR_ERR_WEIGHT, (qtr_spots_config){1, 10, 1.0});
+  expect_refusal(QTR_OK, spot_limits(1, 10, 0.0));
+  expect_refusal(QTR_ERR_WEIGHT, spot_limits(1, 10, 1.0));
   ground.places = 0;
   expect_refusal(QTR_ERR_ARGUMENT, config);
   ground.places = QTR_MAX_PLACES + 1;

@@ -1,6 +1,7 @@
 /* profiles: host mcu */
 /* Long work ended early by the caller's watch, at every moment in turn: what is known stays valid, a plan that exists is kept,
  * and learning goes on from there to the same optimum. */
+#include "support/settings.h"
 #include "support/tables.h"
 
 static uint64_t asked, allowed; /* times that the watch was asked, and may say yes */
@@ -45,7 +46,8 @@ static void expect_valid(void) {
 
 /* Whether the spots were made before a stop. */
 static bool make_spots(void) {
-  const qtr_aggregation how = {.rule = QTR_RULE_FREE, .by_spots = true, .spots = {4, 6, 0.0}};
+  const qtr_spots_config spots = spot_limits(4, 6, 0.0);
+  const qtr_aggregation how = aggregation_of(&spots, NULL);
   const int status = qtr_environment_init(&aggregate, &table_game, &how, &table_field);
   if (status == QTR_OK) return true;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_ERR_STOPPED, status, case_note);

@@ -200,12 +200,10 @@ static int from_table(sheet *s, const table *t, fault *why) {
 /* ---- regions and spots ---- */
 
 static int add_regions(sheet *s, const options *o, fault *why) {
-  const qtr_regions_config config = {.max_size = (uint32_t)o->plan.aggregation.region_size,
-                                     .diameter = (uint32_t)o->plan.aggregation.region_diameter,
-                                     .likelihood = o->plan.aggregation.region_likelihood,
-                                     .places = (uint16_t)s->d.places,
-                                     .place = s->place,
-                                     .weight = s->likelihood};
+  qtr_regions_config config = o->plan.aggregate.regions;
+  config.places = (uint16_t)s->d.places;
+  config.place = s->place;
+  config.weight = s->likelihood;
   const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->cost};
   const size_t cells = drawing_cells(&s->d);
   const int status = qtr_regions_build(&desk->divided, &grid, &config, &desk->dividing);
@@ -231,12 +229,10 @@ static int add_regions(sheet *s, const options *o, fault *why) {
 
 static int add_spots(sheet *s, const options *o, fault *why) {
   const qtr_game *game = &desk->drawn.game;
-  const qtr_spots_config config = {(uint8_t)o->plan.aggregation.spot_size, (qtr_steps)o->plan.aggregation.spot_diameter,
-                                   o->plan.aggregation.spot_likelihood};
   const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, &game->objective};
   if (game->board.places == 0)
     return fault_set(why, "%s: --spots goes with a mission or a drawing, not with a policy table", o->input);
-  const int status = qtr_spots_build(&desk->grouped, &ground, &config, &desk->grouping);
+  const int status = qtr_spots_build(&desk->grouped, &ground, &o->plan.aggregate.units.spots, &desk->grouping);
   if (status != QTR_OK) return fault_set(why, "%s: its spots: %s", o->input, qtr_strerror(status));
   s->d.spot = desk->grouped.spot_of;
   add_line(s, "spots\t%d", desk->grouped.count);

@@ -141,8 +141,8 @@ static int write_table(report *r, const options *o, fault *why) {
 
 /* Of what was learnt on, and how large it became. */
 static void count(report *r, const options *o) {
-  r->regions = o->plan.aggregation.by_regions && learnt->aggregated ? learnt->regions.count : 0;
-  r->spots = o->plan.aggregation.by_spots && learnt->aggregated ? learnt->aggregate.targets.count : 0;
+  r->regions = aggregate_by_regions(o->plan.aggregate.way) && learnt->aggregated ? learnt->regions.count : 0;
+  r->spots = aggregate_by_spots(o->plan.aggregate.way) && learnt->aggregated ? learnt->aggregate.targets.count : 0;
   r->q_entries = learnt->learner.table.entries;
   r->q_bytes = (uint64_t)learnt->learner.table.entries * qtr_qtable_entry_bytes(&learnt->learner.table);
 }

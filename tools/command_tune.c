@@ -51,7 +51,7 @@ static const option_set set = {"tune", intro, outro, option_records, lines};
 #define PROOF_EPISODES 20000u /* for the bound that all are measured against */
 
 typedef struct {
-  plan_aggregation how;
+  aggregate_config how;
   uint32_t regions, spots;
   uint64_t entries;
   qtr_certificate certificate;
@@ -94,34 +94,35 @@ static int pick_diameters(qtr_steps *diameters) {
 }
 
 static void add_spot_tries(try like) {
-  static const int sizes[] = {2, 3, 5, 8};
+  static const uint8_t sizes[] = {2, 3, 5, 8};
   static const double likelihoods[] = {0.0, 0.25, 1.0};
   qtr_steps diameters[DIAMETERS];
   const int picked = pick_diameters(diameters);
-  like.how.by_spots = true;
+  like.how.way = like.how.way == AGGREGATE_REGIONS ? AGGREGATE_BOTH : AGGREGATE_SPOTS;
   for (int size = 0; size < 4 && sizes[size] <= QTR_MAX_SPOT_SIZE; size++)
     for (int i = 0; i < picked; i++)
-      for (int order = QTR_SPOT_BEST; order <= QTR_SPOT_NEAREST; order++)
+      for (uint8_t order = QTR_SPOT_BEST; order <= QTR_SPOT_NEAREST; order++)
         for (int weight = 0; weight < 3 && count < TRIES_MOST; weight++) {
-          like.how.spot_size = sizes[size];
-          like.how.spot_diameter = (int)diameters[i];
-          like.how.spot_order = order;
-          like.how.spot_likelihood = likelihoods[weight];
+          like.how.units.spots.size = sizes[size];
+          like.how.units.spots.diameter = diameters[i];
+          like.how.units.spot_order = order;
+          like.how.units.spots.likelihood = likelihoods[weight];
           tries[count++] = like;
         }
 }
 
 static void add_tries(const options *o) {
-  const try plain = {.how = {.region_size = 25, .region_diameter = 15, .spot_size = 1, .spot_diameter = 1}};
+  try plain = {.spots = 0};
+  aggregate_default(&plain.how);
   tries[count++] = plain;
   add_spot_tries(plain);
   if (o->plan.learner.setting != QTR_SETTING_PAPER) return;
-  static const int sizes[][2] = {{9, 6}, {25, 15}};
+  static const uint32_t sizes[][2] = {{9, 6}, {25, 15}};
   for (int i = 0; i < 2; i++) {
     try like = plain;
-    like.how.by_regions = true;
-    like.how.region_size = sizes[i][0];
-    like.how.region_diameter = sizes[i][1];
+    like.how.way = AGGREGATE_REGIONS;
+    like.how.regions.max_size = sizes[i][0];
+    like.how.regions.diameter = sizes[i][1];
     tries[count++] = like;
     add_spot_tries(like);
   }
@@ -131,14 +132,14 @@ static void add_tries(const options *o) {
 
 static int learn_try(try *t, const plan_config *asked, uint64_t episodes, fault *why) {
   plan_config config = *asked;
-  config.aggregation = t->how;
+  config.aggregate = t->how;
   if (study_begin(tuned, &config, why) != 0) return -1;
   do qtr_learner_certificate(&tuned->learner, &t->certificate);
   while (!stop_asked() && t->certificate.episodes < episodes && qtr_learner_step(&tuned->learner) == QTR_LEARNING);
   qtr_learner_certificate(&tuned->learner, &t->certificate);
   t->entries = tuned->learner.table.entries;
-  t->regions = t->how.by_regions && tuned->aggregated ? tuned->regions.count : 0;
-  t->spots = t->how.by_spots && tuned->aggregated ? tuned->aggregate.targets.count : 0;
+  t->regions = aggregate_by_regions(t->how.way) && tuned->aggregated ? tuned->regions.count : 0;
+  t->spots = aggregate_by_spots(t->how.way) && tuned->aggregated ? tuned->aggregate.targets.count : 0;
   return 0;
 }
 
@@ -153,7 +154,8 @@ static int compare_tries(const void *a, const void *b) {
 static int prove(const plan_config *asked, fault *why) {
   plan_config config = *asked;
   config.learner.setting = QTR_SETTING_CERTIFIED;
-  proven = (try){.how = {.by_regions = false}};
+  proven = (try){.spots = 0};
+  aggregate_default(&proven.how);
   return learn_try(&proven, &config, PROOF_EPISODES, why);
 }
 
@@ -209,39 +211,48 @@ static int tune(const options *o, fault *why) {
 
 /* ---- the report ---- */
 
+static bool has_regions(const try *t) {
+  return aggregate_by_regions(t->how.way);
+}
+static bool has_spots(const try *t) {
+  return aggregate_by_spots(t->how.way);
+}
+
 static void write_options(FILE *out, const try *t) {
-  fprintf(out, "--aggregate %s", words_aggregate[(t->how.by_regions ? 1 : 0) + (t->how.by_spots ? 2 : 0)]);
-  if (t->how.by_regions)
-    fprintf(out, " --region-size %d --region-diameter %d", t->how.region_size, t->how.region_diameter);
-  if (!t->how.by_spots) return;
-  fprintf(out, " --spot-size %d --spot-diameter %d --spot-order %s", t->how.spot_size, t->how.spot_diameter,
-          words_spot_order[t->how.spot_order]);
-  if (t->how.spot_likelihood > 0.0) fprintf(out, " --spot-likelihood %g", t->how.spot_likelihood);
+  const qtr_spots_config *spots = &t->how.units.spots;
+  fprintf(out, "--aggregate %s", aggregate_names[t->how.way]);
+  if (has_regions(t))
+    fprintf(out, " --region-size %" PRIu32 " --region-diameter %" PRIu32, t->how.regions.max_size,
+            t->how.regions.diameter);
+  if (!has_spots(t)) return;
+  fprintf(out, " --spot-size %d --spot-diameter %" PRIu32 " --spot-order %s", spots->size, spots->diameter,
+          words_spot_order[t->how.units.spot_order]);
+  if (spots->likelihood > 0.0) fprintf(out, " --spot-likelihood %g", spots->likelihood);
 }
 
 static bool is_none(const try *t) {
-  return !t->how.by_regions && !t->how.by_spots;
+  return t->how.way == AGGREGATE_NONE;
 }
 static bool is_regions(const try *t) {
-  return t->how.by_regions && !t->how.by_spots;
+  return t->how.way == AGGREGATE_REGIONS;
 }
 static bool is_spots(const try *t) {
-  return !t->how.by_regions && t->how.by_spots;
+  return t->how.way == AGGREGATE_SPOTS;
 }
 static bool is_both(const try *t) {
-  return t->how.by_regions && t->how.by_spots;
+  return t->how.way == AGGREGATE_BOTH;
 }
 static bool is_nearest(const try *t) {
-  return t->how.by_spots && t->how.spot_order == QTR_SPOT_NEAREST;
+  return has_spots(t) && t->how.units.spot_order == QTR_SPOT_NEAREST;
 }
 static bool is_best_order(const try *t) {
-  return t->how.by_spots && t->how.spot_order == QTR_SPOT_BEST;
+  return has_spots(t) && t->how.units.spot_order == QTR_SPOT_BEST;
 }
 static bool is_blind(const try *t) {
-  return t->how.by_spots && t->how.spot_likelihood == 0.0;
+  return has_spots(t) && t->how.units.spots.likelihood == 0.0;
 }
 static bool is_likely(const try *t) {
-  return t->how.by_spots && t->how.spot_likelihood > 0.0;
+  return has_spots(t) && t->how.units.spots.likelihood > 0.0;
 }
 
 /* The best try of each kind: what an option buys, all others being free. */
@@ -276,7 +287,7 @@ static void write_text(FILE *out, const void *what) {
   for (int i = 0; i < count && i < 10; i++) {
     const try *t = &tries[i];
     fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap, t->certificate.objective,
-            t->entries, t->how.by_spots ? t->spots : tuned->p.game.board.places);
+            t->entries, has_spots(t) ? t->spots : tuned->p.game.board.places);
     write_options(out, t);
     fputc('\n', out);
   }
@@ -309,12 +320,12 @@ static void write_json(FILE *out, const void *what) {
     json_natural(&j, "q_entries", t->entries);
     json_natural(&j, "regions", t->regions);
     json_natural(&j, "spots", t->spots);
-    json_integer(&j, "region_size", t->how.by_regions ? t->how.region_size : 0);
-    json_integer(&j, "region_diameter", t->how.by_regions ? t->how.region_diameter : 0);
-    json_integer(&j, "spot_size", t->how.by_spots ? t->how.spot_size : 0);
-    json_integer(&j, "spot_diameter", t->how.by_spots ? t->how.spot_diameter : 0);
-    json_string(&j, "spot_order", words_spot_order[t->how.spot_order]);
-    json_number(&j, "spot_likelihood", t->how.spot_likelihood);
+    json_integer(&j, "region_size", has_regions(t) ? (int)t->how.regions.max_size : 0);
+    json_integer(&j, "region_diameter", has_regions(t) ? (int)t->how.regions.diameter : 0);
+    json_integer(&j, "spot_size", has_spots(t) ? t->how.units.spots.size : 0);
+    json_integer(&j, "spot_diameter", has_spots(t) ? t->how.units.spots.diameter : 0);
+    json_string(&j, "spot_order", words_spot_order[t->how.units.spot_order]);
+    json_number(&j, "spot_likelihood", t->how.units.spots.likelihood);
     json_end_object(&j);
   }
   json_end_array(&j);

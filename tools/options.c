@@ -45,18 +45,8 @@ static int take_explore(void *settings, const option_record *record, const char 
       sscanf(rates, "%lf%n:%lf%n:%lf%n", &plan->first, &taken, &plan->last, &taken, &plan->decay, &taken);
   if (fields < 1 || rates[taken] != '\0')
     return fault_set(why, "--%s %s: say KIND:FIRST:LAST:DECAY, as softmax:1:0.01:0.9995", name, value);
-  qtr_explorer explorer;
-  if (qtr_explorer_init(&explorer, plan, 1) != 0)
+  if (qtr_exploration_check(plan) != QTR_OK)
     return fault_set(why, "--%s %s: rates are 0 to 1 (softmax: temperatures above 0), the decay 0 to 1", name, value);
-  return 0;
-}
-
-static int take_aggregate(void *settings, const option_record *record, const char *value, fault *why) {
-  options *o = settings;
-  int index;
-  if (option_word(&index, record->name, value, strlen(value), words_aggregate, why) != 0) return -1;
-  o->plan.aggregation.by_regions = (index & 1) != 0;
-  o->plan.aggregation.by_spots = (index & 2) != 0;
   return 0;
 }
 
@@ -212,34 +202,40 @@ option_table option_records = {
      .argument = "WHAT",
      .help = "none (the default), spots, and in the paper setting regions or both: learn on an aggregate;\n"
              "what is reported is what the policy earns on the true map",
-     OWN(take_aggregate)},
+     WORD(plan.aggregate.way, aggregate_names)},
     {.name = "region-size",
      .argument = "N",
      .standard = "25",
-     COUNT(plan.aggregation.region_size, 1, QTR_MAX_REGION_SIZE)},
+     COUNT(plan.aggregate.regions.max_size, 1, QTR_MAX_REGION_SIZE)},
     {.name = "region-diameter",
      .argument = "D",
      .standard = "15",
-     COUNT(plan.aggregation.region_diameter, 1, QTR_MAX_REGION_DIAMETER)},
+     COUNT(plan.aggregate.regions.diameter, 1, QTR_MAX_REGION_DIAMETER)},
     {.name = "region-likelihood",
      .argument = "W",
      .help = "as --spot-likelihood, for the places of a region",
-     NUMBER(plan.aggregation.region_likelihood, 0.0, 1000.0, "from 0 to 1000")},
+     NUMBER(plan.aggregate.regions.likelihood, 0.0, 1000.0, "from 0 to 1000")},
     {.name = "region-times",
      .argument = "WHAT",
      .help = "representative (the default) or true: the paper's first, oscillating way, to show it",
-     WORD(plan.aggregation.region_times, words_region_times)},
-    {.name = "spot-size", .argument = "N", .standard = "5", COUNT(plan.aggregation.spot_size, 1, QTR_MAX_SPOT_SIZE)},
-    {.name = "spot-diameter", .argument = "D", .standard = "25", COUNT(plan.aggregation.spot_diameter, 1, 1000000000)},
+     WORD(plan.aggregate.units.region_times, words_region_times)},
+    {.name = "spot-size",
+     .argument = "N",
+     .standard = "5",
+     COUNT(plan.aggregate.units.spots.size, 1, QTR_MAX_SPOT_SIZE)},
+    {.name = "spot-diameter",
+     .argument = "D",
+     .standard = "25",
+     COUNT(plan.aggregate.units.spots.diameter, 1, 1000000000)},
     {.name = "spot-order",
      .argument = "ORDER",
      .help = "inside a spot: best (the default) or nearest first",
-     WORD(plan.aggregation.spot_order, words_spot_order)},
+     WORD(plan.aggregate.units.spot_order, words_spot_order)},
     {.name = "spot-likelihood",
      .argument = "W",
      .help = "%s (the default) or more: likely places keep away from unlikely ones",
      .standard = "0",
-     NUMBER(plan.aggregation.spot_likelihood, 0.0, 1000.0, "from 0 to 1000")},
+     NUMBER(plan.aggregate.units.spots.likelihood, 0.0, 1000.0, "from 0 to 1000")},
     {.name = "starts",
      .argument = "any",
      .help = "one table for starts in any region of the map: seekers are put elsewhere at run time",

@@ -60,8 +60,8 @@ static const char intro[] =
     "It hears its own pose and scan and TERMINATE, and says its own command and TERMINATE. Start quarter-world first.\n"
     "\n";
 
-static const option_line lines[] = {
-    {"robot", NULL, 22}, {"lcm-url", NULL, 22}, {"run-number", NULL, 22}, {"clear-all", NULL, 22}, {"version", NULL, 22}, {NULL, NULL, 0}};
+static const option_line lines[] = {{"robot", NULL, 22},     {"lcm-url", NULL, 22}, {"run-number", NULL, 22},
+                                    {"clear-all", NULL, 22}, {"version", NULL, 22}, {NULL, NULL, 0}};
 
 static const char outro[] =
     "\n"

@@ -20,14 +20,23 @@
 #include "quarter/sight.h"
 #include "quarter/target.h"
 
+/* The aggregation unit's settings. */
 typedef struct {
-  uint8_t rule; /* enum qtr_rule, by which targets are chosen */
+  uint32_t made; /* by qtr_aggregation_default() */
+  uint8_t rule;  /* enum qtr_rule, by which targets are chosen */
   bool by_spots;
   qtr_spots_config spots;
   uint8_t spot_order;         /* enum qtr_spot_order */
   const qtr_regions *regions; /* NULL: cells are exact. Must outlive the environment */
   uint8_t region_times;       /* enum qtr_region_times */
 } qtr_aggregation;
+
+/* Nothing aggregated, free rule; spots, were they asked for, by their default and in their best order. */
+void qtr_aggregation_default(qtr_aggregation *how);
+
+/* QTR_OK; QTR_ERR_ARGUMENT for settings out of their ranges or not from their default; what qtr_spots_check() says of the
+ * spots that are asked for. */
+int qtr_aggregation_check(const qtr_aggregation *how);
 
 /* Large: keep it in static storage. */
 typedef struct {
@@ -49,7 +58,7 @@ typedef struct {
 } qtr_situation;
 
 /* Set an environment up over a game. `how` NULL: no aggregation, and the rule is the mission's. `field` is scratch. Game
- * and regions must outlive it. QTR_OK, or an error of qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way;
+ * and regions must outlive it. QTR_OK, or an error of qtr_aggregation_check() or qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way;
  * QTR_ERR_CONFIG if the caller was built under other sizes; QTR_ERR_STOPPED by the mission's watch, never without
  * aggregation: the environment is of no use then. */
 #define qtr_environment_init(environment, game, how, field)                                                            \

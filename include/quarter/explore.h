@@ -14,14 +14,18 @@ enum qtr_exploration {
 
 /* The rate in episode n is max(last, first * decay^n). */
 typedef struct {
-  uint8_t kind; /* enum qtr_exploration */
-  double first; /* epsilon: 0..1; softmax: a temperature in units of Q, above 0 */
-  double last;  /* 0 or more; softmax: above 0 */
-  double decay; /* 0..1; 1: the rate stays */
+  uint32_t made; /* by qtr_exploration_default() */
+  uint8_t kind;  /* enum qtr_exploration */
+  double first;  /* epsilon: 0..1; softmax: a temperature in units of Q, above 0 */
+  double last;   /* 0 or more; softmax: above 0 */
+  double decay;  /* 0..1; 1: the rate stays */
 } qtr_exploration_plan;
 
 /* Epsilon-greedy, 0.3 throughout: every choice is tried infinitely often, so Q converges. */
 void qtr_exploration_default(qtr_exploration_plan *plan);
+
+/* QTR_OK, or QTR_ERR_ARGUMENT for a plan out of its ranges, or not from its default. */
+int qtr_exploration_check(const qtr_exploration_plan *plan);
 
 typedef struct {
   qtr_exploration_plan plan;
@@ -29,7 +33,7 @@ typedef struct {
   uint64_t random;
 } qtr_explorer;
 
-/* QTR_OK, or QTR_ERR_ARGUMENT for a plan out of range. The same seed explores in the same way, bit for bit. */
+/* QTR_OK, or what qtr_exploration_check() says of the plan. The same seed explores in the same way, bit for bit. */
 int qtr_explorer_init(qtr_explorer *explorer, const qtr_exploration_plan *plan, uint64_t seed);
 
 /* The index of the choice to take among `count`, 1 or more, with these Q. 0 for none. */

@@ -37,6 +37,7 @@
 enum qtr_setting { QTR_SETTING_CERTIFIED = 0, QTR_SETTING_PAPER = 1 };
 
 typedef struct {
+  uint32_t made; /* by qtr_learner_config_default() */
   double gap;    /* relative, 0 or more: stop when bound and objective differ by no more than gap * |objective|. Smaller
                     takes longer; below QTR_FLOAT_GAP it takes more memory, and QTR_LEAST_GAP is the least that can be
                     told. The paper setting, with 0, goes on learning whatever is proven. */
@@ -50,6 +51,9 @@ typedef struct {
 
 /* Gap 1e-5, seed 1, certified, with search on the ground; alpha 1 and epsilon-greedy for the paper setting. */
 void qtr_learner_config_default(qtr_learner_config *config);
+
+/* QTR_OK, or QTR_ERR_ARGUMENT for settings out of their ranges, or not from their default. */
+int qtr_learner_config_check(const qtr_learner_config *config);
 
 enum qtr_learning {
   QTR_LEARNING = 0,  /* the gap is open and further steps can close it */
@@ -123,7 +127,7 @@ typedef struct {
 
 /* Begin, on the ground (an environment without aggregation) or on an aggregate of the same game (NULL: none). Then the
  * game must have the free rule: what was learnt on the aggregate is played on the ground as routes. Both environments
- * must outlive the learner. QTR_OK, QTR_ERR_ARGUMENT for a config out of range or the certified setting on regions, whose
+ * must outlive the learner. QTR_OK, QTR_ERR_ARGUMENT for a config that fails its check or the certified setting on regions, whose
  * times are no bound, or QTR_ERR_CONFIG if the caller was built under other array sizes. There is a first game in any case:
  * a stop by the mission's watch leaves it as it is, with a bound that is not tight. */
 #define qtr_learner_init(learner, ground, aggregate, config)                                                           \

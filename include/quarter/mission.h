@@ -10,6 +10,7 @@
 #include "quarter/watch.h"
 
 typedef struct {
+  uint32_t made;                   /* by qtr_mission_default() */
   uint16_t columns, rows;          /* columns * rows <= QTR_MAX_CELLS */
   uint16_t places;                 /* 1..QTR_MAX_PLACES */
   uint8_t seekers;                 /* 1..QTR_MAX_SEEKERS */
@@ -28,7 +29,7 @@ typedef struct {
 #define qtr_mission_default(mission) qtr_mission_default_built(mission, QTR_CONFIG_ID)
 int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id);
 
-/* QTR_OK, or what is wrong (QTR_ERR_LIMIT, _ARGUMENT, _NO_START, _NO_PLACE, _START, _PLACE, _WEIGHT) and in
+/* QTR_OK, QTR_ERR_ARGUMENT for a mission that is not from its default, or what else is wrong (QTR_ERR_LIMIT, _ARGUMENT, _NO_START, _NO_PLACE, _START, _PLACE, _WEIGHT) and in
  * `*culprit` (may be NULL) the index of the start or place at fault. Reachability is checked with the travel times. */
 int qtr_mission_check(const qtr_mission *mission, int *culprit);
 

@@ -24,6 +24,7 @@
  * that a likely place is not taken for where an unlikely one lies. Stretching only ever keeps apart: limits, distances
  * and representatives stay in true steps. */
 typedef struct {
+  uint32_t made;     /* by qtr_regions_default() */
   uint32_t max_size; /* cells of a region, 1..QTR_MAX_REGION_SIZE; with 1 every free cell is a region */
   uint32_t diameter; /* steps between two of its cells, 1..QTR_MAX_REGION_DIAMETER */
   double likelihood; /* 0 or more, finite; 0: by the map alone, as in the paper, and what follows is not looked at */
@@ -58,10 +59,14 @@ typedef struct {
 /* The limits of the paper's example (Fig. 5.3): 25 cells, 15 steps; no places. */
 void qtr_regions_default(qtr_regions_config *config);
 
+/* QTR_OK; QTR_ERR_ARGUMENT for a config that is not from its default, a limit of 0, or a likelihood out of its range;
+ * QTR_ERR_LIMIT for limits or places beyond what the build holds. */
+int qtr_regions_check(const qtr_regions_config *config);
+
 /* Divide the free cells of a grid. Regions are grown greedily; then borders are straightened, and the cells of leftovers
  * given to their neighbours. Work and time are linear in the cells. The same input gives the same regions.
- * QTR_ERR_ARGUMENT: a limit or a side of the grid is 0, or the likelihood out of its range; QTR_ERR_LIMIT: a limit, the
- * grid or the places are beyond what the build holds, or more than QTR_MAX_REGIONS regions were grown; QTR_ERR_PLACE,
+ * What qtr_regions_check() says of the config; QTR_ERR_ARGUMENT: a side of the grid is 0; QTR_ERR_LIMIT: the grid is beyond
+ * what the build holds, or more than QTR_MAX_REGIONS regions were grown; QTR_ERR_PLACE,
  * QTR_ERR_WEIGHT: a place lies outside the grid, a likelihood is not above 0; QTR_ERR_CONFIG: the caller was built under
  * other sizes; QTR_ERR_STOPPED by the watch. The regions are then of no use. */
 #define qtr_regions_build(regions, grid, config, scratch)                                                              \

@@ -30,10 +30,18 @@ typedef struct {
  * which it brings, and so what a weight of 1 holds against the diameter. 0: distance alone, as in the paper. Stretching
  * only ever splits, so the limits below are kept in true steps whatever the weight. */
 typedef struct {
+  uint32_t made;      /* by qtr_spots_default() */
   uint8_t size;       /* places of a spot at most, 1..QTR_MAX_SPOT_SIZE; 1: every place is a spot */
   qtr_steps diameter; /* greatest distance of any two places of a spot, 1..QTR_NEVER - 1 steps */
   double likelihood;  /* 0 or more, finite; places as likely as one another are never held apart by it */
 } qtr_spots_config;
+
+/* 5 places, 25 steps; distance alone. */
+void qtr_spots_default(qtr_spots_config *config);
+
+/* QTR_OK; QTR_ERR_ARGUMENT for a config that is not from its default, or a size, diameter or likelihood out of its range;
+ * QTR_ERR_LIMIT for a size past the build's. */
+int qtr_spots_check(const qtr_spots_config *config);
 
 /* Every place is in exactly one spot. Spots are numbered by their lowest place, and list their places in order. */
 typedef struct {
@@ -46,8 +54,8 @@ typedef struct {
 /* Group the places: few spots first of all, then little summed distance inside them. Spots grow by complete linkage
  * (the two are joined whose farthest places are nearest), then places move from spot to spot as long as that empties a
  * spot or brings places closer. The same input gives the same spots on every machine. `probability` may be NULL if
- * `likelihood` is 0. `scratch` is overwritten. QTR_OK; QTR_ERR_ARGUMENT for a size, diameter or likelihood out of its
- * range, QTR_ERR_LIMIT for a size or a number of places past the build's, QTR_ERR_WEIGHT for a probability not above 0,
+ * `likelihood` is 0. `scratch` is overwritten. QTR_OK; what qtr_spots_check() says of the config; QTR_ERR_ARGUMENT
+ * for no places, QTR_ERR_LIMIT for a number of them past the build's, QTR_ERR_WEIGHT for a probability not above 0,
  * QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_spots_build(spots, ground, config, scratch)                                                                \
   qtr_spots_build_sized(spots, ground, config, scratch, QTR_CONFIG_ID)

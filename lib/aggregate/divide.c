@@ -31,39 +31,35 @@ static void number(const qtr_division *d) {
   }
 }
 
-static int check(const qtr_grid *grid, const qtr_regions_config *config) {
-  if (qtr_grid_cells(grid) == 0 || config->max_size == 0 || config->diameter == 0) return QTR_ERR_ARGUMENT;
-  if (qtr_grid_cells(grid) > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
-  if (config->max_size > QTR_MAX_REGION_SIZE || config->diameter > QTR_MAX_REGION_DIAMETER) return QTR_ERR_LIMIT;
-  return QTR_OK;
-}
-
-static int check_places(const qtr_grid *grid, const qtr_regions_config *config) {
-  if (!(config->likelihood >= 0.0 && config->likelihood <= DBL_MAX)) return QTR_ERR_ARGUMENT;
-  if (!(config->likelihood > 0.0)) return QTR_OK;
-  if (config->places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
-  for (unsigned p = 0; p < config->places; p++) {
-    if (config->place[p] >= qtr_grid_cells(grid)) return QTR_ERR_PLACE;
+/* The grid and the places; the config itself has been checked. */
+static int check_ground(const qtr_grid *grid, const qtr_regions_config *config) {
+  const uint32_t cells = qtr_grid_cells(grid);
+  if (cells == 0) return QTR_ERR_ARGUMENT;
+  if (cells > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
+  for (unsigned p = 0; config->likelihood > 0.0 && p < config->places; p++) {
+    if (config->place[p] >= cells) return QTR_ERR_PLACE;
     if (!(config->weight[p] > 0.0 && config->weight[p] <= DBL_MAX)) return QTR_ERR_WEIGHT;
   }
   return QTR_OK;
 }
 
-void qtr_regions_default(qtr_regions_config *config) {
-  *config = (qtr_regions_config){.max_size = 25, .diameter = 15};
+/* No cell is in a region yet. */
+static void begin(const qtr_division *d, const qtr_grid *grid) {
+  d->regions->count = 0;
+  d->regions->cells = d->cells;
+  qtr_nearby_init(d->nearby, grid);
+  for (uint32_t cell = 0; cell < d->cells; cell++) d->regions->of[cell] = QTR_NO_REGION;
+  memset(d->scratch->error, 0, d->cells * sizeof *d->scratch->error);
 }
 
 int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
                             qtr_regions_scratch *scratch, uint32_t config_id) {
-  int status = config_id == QTR_CONFIG_ID ? check(grid, config) : QTR_ERR_CONFIG;
-  if (status == QTR_OK) status = check_places(grid, config);
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  int status = qtr_regions_check(config);
+  if (status == QTR_OK) status = check_ground(grid, config);
   if (status != QTR_OK) return status;
   const qtr_division d = {regions, config, scratch, &scratch->nearby, qtr_grid_cells(grid)};
-  regions->cells = d.cells;
-  qtr_nearby_init(&scratch->nearby, grid);
-  for (uint32_t cell = 0; cell < d.cells; cell++) regions->of[cell] = QTR_NO_REGION;
-  memset(scratch->error, 0, d.cells * sizeof *scratch->error);
-  regions->count = 0;
+  begin(&d, grid);
   status = qtr_division_grow(&d);
   if (status != QTR_OK) return status;
   qtr_division_follow_medians(&d);

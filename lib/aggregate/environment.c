@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "core/bytes.h"
+#include "model/settings.h"
 #include "quarter/status.h"
 
 #define ROUNDING 1e-9 /* more than adding up the likelihoods of all places is wrong by */
@@ -75,6 +76,20 @@ void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_k
                seen.remaining);
 }
 
+/* ---- settings ---- */
+
+void qtr_aggregation_default(qtr_aggregation *how) {
+  *how = (qtr_aggregation){
+      .made = SETTINGS_MADE, .rule = QTR_RULE_FREE, .spot_order = QTR_SPOT_BEST, .region_times = QTR_TIMES_STANDING};
+  qtr_spots_default(&how->spots);
+}
+
+int qtr_aggregation_check(const qtr_aggregation *how) {
+  if (how->made != SETTINGS_MADE || how->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
+  if (how->spot_order > QTR_SPOT_NEAREST || how->region_times > QTR_TIMES_TRUE) return QTR_ERR_ARGUMENT;
+  return how->by_spots ? qtr_spots_check(&how->spots) : QTR_OK;
+}
+
 /* ---- set-up ---- */
 
 static int make_targets(qtr_environment *e, const qtr_aggregation *how) {
@@ -94,7 +109,8 @@ int qtr_environment_init_built(qtr_environment *e, const qtr_game *game, const q
                                uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   e->game = game;
-  int status = make_targets(e, how);
+  int status = how != NULL ? qtr_aggregation_check(how) : QTR_OK;
+  if (status == QTR_OK) status = make_targets(e, how);
   if (status == QTR_OK) status = make_board(e, how != NULL ? how->rule : game->board.rule);
   if (status == QTR_OK) status = make_sight(e, how, field);
   if (status == QTR_OK) shape_keys(e);

@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "core/bytes.h"
+#include "model/settings.h"
 #include "quarter/status.h"
 
 #define TOO_FAR HUGE_VAL
@@ -240,7 +241,12 @@ static void put_in_order(qtr_spots *spots, unsigned places, qtr_spots *scratch) 
   }
 }
 
-static int check_config(const qtr_spots_config *config) {
+void qtr_spots_default(qtr_spots_config *config) {
+  *config = (qtr_spots_config){.made = SETTINGS_MADE, .size = 5, .diameter = 25};
+}
+
+int qtr_spots_check(const qtr_spots_config *config) {
+  if (config->made != SETTINGS_MADE) return QTR_ERR_ARGUMENT;
   if (config->size > QTR_MAX_SPOT_SIZE) return QTR_ERR_LIMIT;
   if (config->size == 0 || config->diameter == 0 || config->diameter == QTR_NEVER) return QTR_ERR_ARGUMENT;
   return config->likelihood >= 0.0 && config->likelihood <= DBL_MAX ? QTR_OK : QTR_ERR_ARGUMENT;
@@ -257,7 +263,7 @@ static int check_ground(const qtr_spot_ground *ground, bool by_likelihood) {
 int qtr_spots_build_sized(qtr_spots *spots, const qtr_spot_ground *ground, const qtr_spots_config *config,
                           qtr_spots *scratch, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  int status = check_config(config);
+  int status = qtr_spots_check(config);
   if (status == QTR_OK) status = check_ground(ground, config->likelihood > 0.0);
   if (status != QTR_OK) return status;
   const clustering c = {ground, config, 1e-9 * config->diameter};

@@ -8,12 +8,14 @@
 #include "learn/episode.h"
 #include "learn/exploring.h"
 #include "learn/role.h"
+#include "model/settings.h"
 #include "quarter/status.h"
 
 #define PRICE_STEPS 16 /* of the bound in one step of the learner */
 #define FIRST_ROUNDS 8 /* of shaking the first game */
 
 void qtr_learner_config_default(qtr_learner_config *config) {
+  config->made = SETTINGS_MADE;
   config->gap = 1e-5;
   config->seed = 1;
   config->setting = QTR_SETTING_CERTIFIED;
@@ -22,17 +24,21 @@ void qtr_learner_config_default(qtr_learner_config *config) {
   qtr_exploration_default(&config->exploration);
 }
 
+int qtr_learner_config_check(const qtr_learner_config *config) {
+  if (config->made != SETTINGS_MADE) return QTR_ERR_ARGUMENT;
+  if (!(config->gap >= 0.0 && config->gap < HUGE_VAL) || config->setting > QTR_SETTING_PAPER) return QTR_ERR_ARGUMENT;
+  if (!(config->alpha > 0.0 && config->alpha <= 1.0)) return QTR_ERR_ARGUMENT;
+  return qtr_exploration_check(&config->exploration);
+}
+
 /* ---- set-up ---- */
 
 /* Regions have estimates for times, which bound nothing; and only under the free rule are routes that were learnt on an aggregate
  * a game on the ground. */
-static int check_config(qtr_learner *learner, const qtr_learner_config *config) {
-  if (!(config->gap >= 0.0 && config->gap < HUGE_VAL) || config->setting > QTR_SETTING_PAPER) return QTR_ERR_ARGUMENT;
-  if (!(config->alpha > 0.0 && config->alpha <= 1.0)) return QTR_ERR_ARGUMENT;
+static int check_together(const qtr_learner *learner, const qtr_learner_config *config) {
   if (config->setting == QTR_SETTING_CERTIFIED && !qtr_sight_is_exact(&learner->environment->sight))
     return QTR_ERR_ARGUMENT;
-  if (learner_is_aggregate(learner) && learner->game->board.rule != QTR_RULE_FREE) return QTR_ERR_ARGUMENT;
-  return qtr_explorer_init(&learner->explorer, &config->exploration, config->seed);
+  return learner_is_aggregate(learner) && learner->game->board.rule != QTR_RULE_FREE ? QTR_ERR_ARGUMENT : QTR_OK;
 }
 
 /* As on the ground: always the most likely target for the time that it takes. */
@@ -78,7 +84,9 @@ int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, 
   learner->game = ground->game;
   learner->ground = ground;
   learner->environment = aggregate != NULL ? aggregate : ground;
-  const int status = check_config(learner, config);
+  int status = qtr_learner_config_check(config);
+  if (status == QTR_OK) status = check_together(learner, config);
+  if (status == QTR_OK) status = qtr_explorer_init(&learner->explorer, &config->exploration, config->seed);
   if (status != QTR_OK) return status;
   learner->config = *config;
   learner->episodes = 0;

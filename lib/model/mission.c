@@ -4,9 +4,12 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "model/settings.h"
+
 int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   memset(mission, 0, sizeof *mission);
+  mission->made = SETTINGS_MADE;
   qtr_aim_default(&mission->aim);
   mission->rule = QTR_RULE_FREE;
   return QTR_OK;
@@ -19,6 +22,7 @@ qtr_grid qtr_mission_grid(const qtr_mission *mission) {
 
 static int check_dimensions(const qtr_mission *mission) {
   const uint32_t cells = qtr_mission_cells(mission);
+  if (mission->made != SETTINGS_MADE) return QTR_ERR_ARGUMENT;
   if (cells > QTR_MAX_CELLS || mission->places > QTR_MAX_PLACES || mission->seekers > QTR_MAX_SEEKERS)
     return QTR_ERR_LIMIT;
   if (cells == 0) return QTR_ERR_ARGUMENT;

@@ -1,10 +1,12 @@
 #include "quarter/explore.h"
 
+#include "model/settings.h"
 #include "quarter/random.h"
 #include "quarter/status.h"
 
 /* Watkins and Dayan: Q converges if every choice of every state is taken infinitely often; with a rate that stays it is. */
 void qtr_exploration_default(qtr_exploration_plan *plan) {
+  plan->made = SETTINGS_MADE;
   plan->kind = QTR_EXPLORE_EPSILON;
   plan->first = 0.3;
   plan->last = 0.3;
@@ -15,11 +17,17 @@ static int is_in(double value, double least, double most) {
   return value >= least && value <= most;
 }
 
-int qtr_explorer_init(qtr_explorer *explorer, const qtr_exploration_plan *plan, uint64_t seed) {
+int qtr_exploration_check(const qtr_exploration_plan *plan) {
   const double least = plan->kind == QTR_EXPLORE_SOFTMAX ? 1e-9 : 0.0;
   const double most = plan->kind == QTR_EXPLORE_EPSILON ? 1.0 : 1e9;
+  if (plan->made != SETTINGS_MADE) return QTR_ERR_ARGUMENT;
   if (plan->kind > QTR_EXPLORE_SOFTMAX || !is_in(plan->decay, 0.0, 1.0)) return QTR_ERR_ARGUMENT;
-  if (!is_in(plan->first, least, most) || !is_in(plan->last, least, most)) return QTR_ERR_ARGUMENT;
+  return is_in(plan->first, least, most) && is_in(plan->last, least, most) ? QTR_OK : QTR_ERR_ARGUMENT;
+}
+
+int qtr_explorer_init(qtr_explorer *explorer, const qtr_exploration_plan *plan, uint64_t seed) {
+  const int status = qtr_exploration_check(plan);
+  if (status != QTR_OK) return status;
   explorer->plan = *plan;
   explorer->rate = plan->first;
   explorer->random = seed;

@@ -24,7 +24,7 @@ static void test_the_default_is_the_input_learnt_on_its_true_map(void) {
   TEST_ASSERT_EQUAL_DOUBLE(0.0, config.aim.gamma);
   TEST_ASSERT_EQUAL_INT(0, config.reading.robots);
   TEST_ASSERT_EQUAL_INT(QTR_SETTING_CERTIFIED, config.learner.setting);
-  TEST_ASSERT_FALSE(config.aggregation.by_regions || config.aggregation.by_spots);
+  TEST_ASSERT_EQUAL_INT(AGGREGATE_NONE, config.aggregate.way);
   TEST_ASSERT_FALSE(config.any_starts || config.any_cleared);
 }
 
@@ -36,15 +36,19 @@ static void test_settings_that_did_not_come_from_the_default_are_refused(void) {
 
 /* Times between regions are no bounds: nothing could be certified. */
 static void test_regions_go_with_the_paper_setting_alone(void) {
-  config.aggregation.by_regions = true;
-  TEST_ASSERT_EQUAL_INT(-1, plan_config_check(&config, &why));
-  TEST_ASSERT_NOT_NULL(strstr(why.text, "--learner paper"));
-  config.learner.setting = QTR_SETTING_PAPER;
-  TEST_ASSERT_EQUAL_INT(0, plan_config_check(&config, &why));
+  const int ways[] = {AGGREGATE_REGIONS, AGGREGATE_BOTH};
+  for (int i = 0; i < 2; i++) {
+    plan_config_default(&config);
+    config.aggregate.way = ways[i];
+    TEST_ASSERT_EQUAL_INT(-1, plan_config_check(&config, &why));
+    TEST_ASSERT_NOT_NULL(strstr(why.text, "--learner paper"));
+    config.learner.setting = QTR_SETTING_PAPER;
+    TEST_ASSERT_EQUAL_INT(0, plan_config_check(&config, &why));
+  }
 }
 
 static void test_spots_go_with_either_setting(void) {
-  config.aggregation.by_spots = true;
+  config.aggregate.way = AGGREGATE_SPOTS;
   TEST_ASSERT_EQUAL_INT(0, plan_config_check(&config, &why));
   config.learner.setting = QTR_SETTING_PAPER;
   TEST_ASSERT_EQUAL_INT(0, plan_config_check(&config, &why));

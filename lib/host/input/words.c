@@ -11,6 +11,5 @@ const char *const words_rule[] = {[QTR_RULE_FREE] = "free", [QTR_RULE_PAPER] = "
 const char *const words_setting[] = {[QTR_SETTING_CERTIFIED] = "certified", [QTR_SETTING_PAPER] = "paper", NULL};
 const char *const words_exploration[] = {
     [QTR_EXPLORE_UNIFORM] = "uniform", [QTR_EXPLORE_EPSILON] = "epsilon", [QTR_EXPLORE_SOFTMAX] = "softmax", NULL};
-const char *const words_aggregate[] = {"none", "regions", "spots", "both", NULL};
 const char *const words_region_times[] = {[QTR_TIMES_STANDING] = "representative", [QTR_TIMES_TRUE] = "true", NULL};
 const char *const words_spot_order[] = {[QTR_SPOT_BEST] = "best", [QTR_SPOT_NEAREST] = "nearest", NULL};

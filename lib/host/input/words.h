@@ -7,7 +7,6 @@
 extern const char *const words_rule[];         /* enum qtr_rule */
 extern const char *const words_setting[];      /* enum qtr_setting */
 extern const char *const words_exploration[];  /* enum qtr_exploration */
-extern const char *const words_aggregate[];    /* 1: by regions, plus 2: by spots */
 extern const char *const words_region_times[]; /* enum qtr_region_times */
 extern const char *const words_spot_order[];   /* enum qtr_spot_order */
 

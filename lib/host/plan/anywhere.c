@@ -43,7 +43,7 @@ static int stopped(const builder *b, fault *why) {
 }
 
 static int divide(builder *b, fault *why) {
-  const int status = study_divide(b->s, &b->config->aggregation, why);
+  const int status = study_divide(b->s, &b->config->aggregate, why);
   if (status == QTR_OK) return 0;
   return status == QTR_ERR_STOPPED ? stopped(b, why) : -1;
 }
@@ -80,7 +80,7 @@ static int set_up(builder *b, fault *why) {
 static bool learn_rest(builder *b, fault *why) {
   study *alone = b->alone;
   plan_config config = *b->config;
-  config.aggregation.by_regions = config.aggregation.by_spots = false;
+  config.aggregate.way = AGGREGATE_NONE;
   config.learner.setting = QTR_SETTING_CERTIFIED;
   if (qtr_rest_game(&alone->p.game, &alone->p.in.mission, &alone->p.field) != QTR_OK) return false;
   if (study_begin(alone, &config, why) != 0) return false;

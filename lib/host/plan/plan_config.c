@@ -10,17 +10,14 @@ void plan_config_default(plan_config *config) {
   config->aim.kind = PLAN_AS_STATED;
   config->rule = PLAN_AS_STATED;
   qtr_learner_config_default(&config->learner);
-  config->aggregation.region_size = 25;
-  config->aggregation.region_diameter = 15;
-  config->aggregation.spot_size = 5;
-  config->aggregation.spot_diameter = 25;
+  aggregate_default(&config->aggregate);
   config->table_limit = 4.0;
 }
 
 int plan_config_check(const plan_config *config, fault *why) {
   if (config->made != MADE) return fault_set(why, "the plan's settings did not come from plan_config_default()");
   /* Times between regions are no bounds. */
-  if (!config->aggregation.by_regions || config->learner.setting == QTR_SETTING_PAPER) return 0;
+  if (!aggregate_by_regions(config->aggregate.way) || config->learner.setting == QTR_SETTING_PAPER) return 0;
   return fault_set(why,
                    "--aggregate: regions go with --learner paper alone, for times between regions are no bounds; the "
                    "certified setting takes spots");

@@ -7,22 +7,10 @@
 
 #include "host/base/fault.h"
 #include "host/input/input.h"
+#include "host/plan/aggregate.h"
 #include "quarter/learner.h"
 
 enum { PLAN_AS_STATED = 255 }; /* of an objective or a rule: as the input says */
-
-/* What the learner plays on: the true map, or an aggregate of it by regions, by spots or by both. Sizes and diameters are
- * read where they apply. */
-typedef struct {
-  bool by_regions, by_spots;
-  int region_size;                           /* cells, 1..QTR_MAX_REGION_SIZE */
-  int region_diameter;                       /* steps, 1..QTR_MAX_REGION_DIAMETER */
-  int region_times;                          /* enum qtr_region_times */
-  int spot_size;                             /* places, 1..QTR_MAX_SPOT_SIZE */
-  int spot_diameter;                         /* steps, 1 or more */
-  int spot_order;                            /* enum qtr_spot_order */
-  double region_likelihood, spot_likelihood; /* weight of likelihoods beside distances, 0 or more; 0: distances alone */
-} plan_aggregation;
 
 typedef struct {
   uint32_t made;         /* by plan_config_default(): settings that were not are refused */
@@ -30,11 +18,11 @@ typedef struct {
   qtr_aim aim;           /* of kind PLAN_AS_STATED: the input's; and so with gamma 0 its gamma */
   int rule;              /* enum qtr_rule, or PLAN_AS_STATED */
   qtr_learner_config learner;
-  plan_aggregation aggregation;
-  bool any_starts;    /* the table is to answer for starts in any region, */
-  bool any_cleared;   /* for any set of places cleared beforehand, */
-  double table_limit; /* and may then take so many megabytes; more is refused before it is learnt */
-  bool quiet;         /* no progress on the terminal */
+  aggregate_config aggregate; /* what the learner plays on, beside the true map */
+  bool any_starts;            /* the table is to answer for starts in any region, */
+  bool any_cleared;           /* for any set of places cleared beforehand, */
+  double table_limit;         /* and may then take so many megabytes; more is refused before it is learnt */
+  bool quiet;                 /* no progress on the terminal */
 } plan_config;
 
 /* Everything as the input says, learnt in the certified setting on the true map; tables of 4 MB at most. Regions are of 25

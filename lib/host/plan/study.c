@@ -3,17 +3,8 @@
 #include "host/base/stop.h"
 #include "quarter/status.h"
 
-int study_divide(study *s, const plan_aggregation *how, fault *why) {
-  const qtr_mission *mission = &s->p.in.mission;
-  const qtr_regions_config config = {.max_size = (uint32_t)how->region_size,
-                                     .diameter = (uint32_t)how->region_diameter,
-                                     .likelihood = how->region_likelihood,
-                                     .places = mission->places,
-                                     .place = mission->place,
-                                     .weight = mission->weight,
-                                     .watch = mission->watch};
-  const qtr_grid grid = qtr_mission_grid(mission);
-  const int status = qtr_regions_build(&s->regions, &grid, &config, &s->regions_scratch);
+int study_divide(study *s, const aggregate_config *how, fault *why) {
+  const int status = aggregate_divide(&s->regions, how, &s->p.in.mission, &s->regions_scratch);
   if (status == QTR_OK || status == QTR_ERR_STOPPED) return status;
   return fault_set(why, "%s: its regions: %s", s->p.in.path, qtr_strerror(status));
 }
@@ -25,15 +16,13 @@ static void set_ground_rule(study *s) {
 }
 
 /* 0, -1 with *why set, or QTR_ERR_STOPPED. */
-static int make_aggregate(study *s, const plan_aggregation *how, fault *why) {
-  const qtr_aggregation units = {
-      .rule = s->p.in.mission.rule,
-      .by_spots = how->by_spots,
-      .spots = {(uint8_t)how->spot_size, (qtr_steps)how->spot_diameter, how->spot_likelihood},
-      .spot_order = (uint8_t)how->spot_order,
-      .regions = how->by_regions ? &s->regions : NULL,
-      .region_times = (uint8_t)how->region_times};
-  int status = how->by_regions ? study_divide(s, how, why) : QTR_OK;
+static int make_aggregate(study *s, const aggregate_config *how, fault *why) {
+  const bool by_regions = aggregate_by_regions(how->way);
+  qtr_aggregation units = how->units;
+  units.rule = s->p.in.mission.rule;
+  units.by_spots = aggregate_by_spots(how->way);
+  units.regions = by_regions ? &s->regions : NULL;
+  int status = by_regions ? study_divide(s, how, why) : QTR_OK;
   if (status != QTR_OK) return status;
   status = qtr_environment_init(&s->aggregate, &s->p.game, &units, &s->p.field);
   if (status == QTR_OK || status == QTR_ERR_STOPPED) return status;
@@ -43,9 +32,9 @@ static int make_aggregate(study *s, const plan_aggregation *how, fault *why) {
 int study_begin(study *s, const plan_config *config, fault *why) {
   qtr_learner_config learning = config->learner;
   learning.ground_search = !s->measuring;
-  s->aggregated = config->aggregation.by_regions || config->aggregation.by_spots;
+  s->aggregated = config->aggregate.way != AGGREGATE_NONE;
   set_ground_rule(s);
-  int status = s->aggregated ? make_aggregate(s, &config->aggregation, why) : QTR_OK;
+  int status = s->aggregated ? make_aggregate(s, &config->aggregate, why) : QTR_OK;
   if (status != QTR_OK && status != QTR_ERR_STOPPED) return -1;
   /* An aggregate that was not ready in time leaves the true map. */
   s->aggregated = s->aggregated && status == QTR_OK;

@@ -20,7 +20,7 @@ typedef struct {
 } study;
 
 /* Divide the map into regions. 0, or -1 with *why set, or QTR_ERR_STOPPED. */
-int study_divide(study *s, const plan_aggregation *how, fault *why);
+int study_divide(study *s, const aggregate_config *how, fault *why);
 
 /* Begin to learn the measured problem `s->p` anew; may be called again with other settings. There is a first plan then, also
  * after a stop: one on the true map, if the aggregate was not ready. 0, or -1 with *why set. */
