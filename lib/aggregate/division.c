@@ -4,6 +4,7 @@
 
 #include "quarter/status.h"
 
+/* Breadth first, with the list for a queue. A region is connected if and only if all of it is listed from one of its cells. */
 void qtr_division_list(const qtr_division *d, qtr_cell from, qtr_region region, uint32_t most) {
   qtr_nearby *nearby = d->nearby;
   qtr_cell next[4];
@@ -22,7 +23,8 @@ void qtr_division_list_whole(const qtr_division *d, qtr_region region) {
 
 /* ---- distances ---- */
 
-/* Whether the map lets two places be of one region and their likelihoods do not. */
+/* Whether the map lets two places be of one region and their likelihoods do not:
+ * d (1 + W (P_max / P_min - 1)) > Dia, as between the places of a spot. */
 static bool are_unlike(const qtr_regions_config *config, unsigned p, unsigned q, qtr_steps away) {
   const double a = config->weight[p];
   const double b = config->weight[q];
@@ -53,7 +55,7 @@ bool qtr_division_measure(const qtr_division *d, qtr_cell from) {
 
 /* ---- representatives ---- */
 
-/* The sum of a listed region's distances from a member. */
+/* The sum of a listed region's distances from a member: the geometric median is the member with the least (section 5.2.2). */
 static uint32_t sum_from(const qtr_division *d, qtr_cell member) {
   uint32_t sum = 0;
   qtr_division_measure(d, member);
@@ -61,6 +63,8 @@ static uint32_t sum_from(const qtr_division *d, qtr_cell member) {
   return sum;
 }
 
+/* The error of a cell is what taking the representative's travel times for its own may be wrong by: |d(r, p) - d(c, p)| is no
+ * more than the longer of d(r, c) and d(c, r). */
 static void represent(const qtr_division *d, qtr_region region, qtr_cell member) {
   qtr_division_measure(d, member);
   for (uint32_t i = 0; i < d->nearby->listed; i++) {
@@ -105,7 +109,7 @@ static qtr_cell step_down(const qtr_division *d, qtr_cell cell, uint32_t *least)
 }
 
 /* Nearly the median, step by step from the representative there was: for regions that will change again, at a fraction
- * of the searches. */
+ * of the searches. Each step makes the sum less, so they end, at a member none of whose neighbours is better. */
 static void follow_median(const qtr_division *d, qtr_region region) {
   qtr_division_list_whole(d, region);
   memset(d->scratch->sum, 0, d->nearby->listed * sizeof *d->scratch->sum);

@@ -34,6 +34,8 @@ static qtr_steps longest_between(const qtr_environment *e, unsigned from, unsign
   return longest;
 }
 
+/* The joint game's rules hold among targets as among places. The board's times are for reach alone, and for how long keys must
+ * be: a tour depends on where it begins, so choosing sets the time that remains (qtr_environment_choose()). */
 static int make_board(qtr_environment *e, uint8_t rule) {
   const unsigned targets = e->targets.count;
   e->board = e->game->board;
@@ -62,6 +64,8 @@ static void shape_keys(qtr_environment *e) {
   qtr_key_measure(&e->keys);
 }
 
+/* A seeker on its way is known by the first place of its tour, which tells target, order and exit. With regions one that is idle
+ * is so by its region alone: its node says that it is idle. */
 void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_key *key) {
   qtr_joint seen = s->joint;
   for (unsigned i = 0; i < e->board.seekers; i++) {
@@ -134,6 +138,8 @@ unsigned qtr_environment_exit(const qtr_environment *e, const qtr_situation *s, 
   return s->joint.remaining[seeker] == 0 ? s->at[seeker] : qtr_tour_exit(qtr_targets_tour(&e->targets, s->at[seeker]));
 }
 
+/* A tour of length l with `remaining` steps left visits its place i, which lies l - s_i before its end, after
+ * remaining - (l - s_i). */
 qtr_steps qtr_environment_visit(const qtr_environment *e, const qtr_situation *s, unsigned seeker, unsigned i) {
   if (seeker >= e->board.seekers || s->at[seeker] >= places_of(e)) return 0;
   const qtr_tour *tour = qtr_targets_tour(&e->targets, s->at[seeker]);
@@ -142,6 +148,8 @@ qtr_steps qtr_environment_visit(const qtr_environment *e, const qtr_situation *s
   return s->joint.remaining[seeker] > after_it ? s->joint.remaining[seeker] - after_it : 0;
 }
 
+/* A place where the seeker already stands counts at once, before time passes: its reward is apart from the entry's (Q is stored
+ * under the state after the choice). */
 double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
   if (seeker < 0 || seeker >= e->board.seekers) return 0.0;
   if (choice == QTR_STAND_DOWN) {
@@ -173,7 +181,8 @@ static void collect(const qtr_environment *e, qtr_situation *s, qtr_outcome *out
   qtr_objective_collect(&e->game->objective, outcome, probability, offset, passed);
 }
 
-/* Exact times: each place counts when it is visited. `before` is what remained to the seeker. */
+/* Exact times: each place counts when it is visited. `before` is what remained to the seeker. Place i comes up when l - s_i
+ * remains: in this stretch if before > l - s_i >= before - passed. */
 static void collect_tour(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome, unsigned seeker,
                          qtr_steps before, qtr_steps passed) {
   const qtr_tour *tour = qtr_targets_tour(&e->targets, s->at[seeker]);
@@ -184,12 +193,15 @@ static void collect_tour(const qtr_environment *e, qtr_situation *s, qtr_outcome
   }
 }
 
+/* P / d: half a step for what is here, so that it goes before all else and the rate stays a number. */
 double qtr_environment_rate(const qtr_environment *e, unsigned node, unsigned target) {
   if (first_place(e, node, target) == QTR_STAND_DOWN) return 0.0;
   const qtr_steps steps = qtr_targets_duration(&e->targets, node, target);
   return qtr_targets_probability(&e->targets, target) / (steps > 0 ? (double)steps : 0.5);
 }
 
+/* What is exact needs no cell: place and steps left say all that is to come. By regions the cell decides what is
+ * seen next, so it goes on along the true way. */
 static void settle_seeker(const qtr_environment *e, qtr_situation *s, unsigned seeker, qtr_steps passed) {
   const qtr_tour *tour = qtr_targets_tour(&e->targets, s->at[seeker]);
   qtr_steps *remaining = &s->joint.remaining[seeker];
@@ -202,12 +214,14 @@ static void settle_seeker(const qtr_environment *e, qtr_situation *s, unsigned s
   }
 }
 
-/* Whether a seeker's tour still counts: under the paper's rule another may have visited its target before it. */
+/* Visits are counted seeker by seeker, so two who arrive in one moment count once. Whether a seeker's
+ * tour still counts: under the paper's rule another may have visited its target before it. */
 static bool still_counts(const qtr_situation *s, const qtr_environment *e, unsigned seeker,
                          const qtr_places *visited_before) {
   return !qtr_places_has(visited_before, qtr_targets_tour(&e->targets, s->at[seeker])->target);
 }
 
+/* By regions all of a target counts when it is seen to be done: what is seen within a tour is no time of a visit. */
 static void collect_all(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome, const qtr_joint *before,
                         const qtr_places *arrived, qtr_steps passed) {
   qtr_places counted = before->visited;
@@ -224,6 +238,7 @@ static void collect_all(const qtr_environment *e, qtr_situation *s, qtr_outcome 
   }
 }
 
+/* One stretch: all that is unvisited waits for it, what is visited in it is given back, what comes after is discounted by it. */
 static bool pass_once(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome) {
   const qtr_joint before = s->joint;
   qtr_places arrived;

@@ -11,7 +11,8 @@ static void unlist(const qtr_division *d, uint32_t index) {
   s->touching[index] = s->touching[d->nearby->listed];
 }
 
-/* Make the cell a member. It and the cells that are too far from it leave the list of those that may still join. */
+/* Make the cell a member. It and the cells that are too far from it leave the list of those that may still join: so any listed
+ * cell is within the diameter of all members (complete linkage), and whichever joins, the limit is kept. */
 static void join(const qtr_division *d, qtr_cell cell, qtr_region region) {
   qtr_nearby *nearby = d->nearby;
   qtr_cell next[4];
@@ -31,14 +32,16 @@ static void join(const qtr_division *d, qtr_cell cell, qtr_region region) {
 }
 
 /* What a listed cell costs the region that takes it: near to the members is good, and so are few free neighbours that
- * are left over. A cell that would be left alone is taken at once. */
+ * are left over. A cell that would be left alone is taken at once.
+ * 2 sum of d(cell, member) + open |region|: twice the mean distance and the open neighbours, both times the members. */
 static uint64_t find_price(const qtr_division *d, uint32_t index, qtr_region region) {
   const int open = division_neighbours_in(d, d->nearby->list[index], QTR_NO_REGION);
   if (open == 0) return 0;
   return 2 * (uint64_t)d->scratch->sum[index] + (uint64_t)open * d->regions->size[region];
 }
 
-/* The best cell next to the growing region; QTR_NO_CELL if there is none. */
+/* The best cell next to the growing region, the lowest of equals; QTR_NO_CELL if there is none. Only next to it: so the region
+ * stays connected. */
 static qtr_cell choose(const qtr_division *d, qtr_region region) {
   uint64_t least = UINT64_MAX;
   qtr_cell best = QTR_NO_CELL;
@@ -52,6 +55,7 @@ static qtr_cell choose(const qtr_division *d, qtr_region region) {
   return best;
 }
 
+/* One region, from its seed. It chooses among a window of the cells nearest to that, so the work for it has a bound. */
 static void grow(const qtr_division *d, qtr_cell seed) {
   qtr_regions_scratch *s = d->scratch;
   const qtr_region region = (qtr_region)d->regions->count++;
@@ -99,7 +103,8 @@ static qtr_cell find_corner(const qtr_division *d, qtr_cell from) {
   return best;
 }
 
-/* Cover all ground that is joined to `start`, from the regions there are outwards. */
+/* Cover all ground that is joined to `start`, from the regions there are outwards. Each region takes a cell at least, so it ends;
+ * and each cell waits once, so it takes time in proportion to the cells. */
 static int cover(const qtr_division *d, qtr_cell start) {
   const qtr_cell *waiting = d->scratch->waiting;
   uint32_t lined_up = 0;

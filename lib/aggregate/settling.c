@@ -4,6 +4,7 @@
 
 /* ---- moving cells from region to region ---- */
 
+/* Neither representative is found anew: that is done for all that changed when a pass over the regions is over. */
 static void move(const qtr_division *d, qtr_cell cell, qtr_region to) {
   const qtr_region from = d->regions->of[cell];
   d->regions->size[from]--;
@@ -27,7 +28,8 @@ static bool holds(const qtr_division *d, qtr_region region, qtr_cell cell) {
   return d->nearby->listed == d->regions->size[region] && qtr_division_measure(d, cell);
 }
 
-/* Move the cell if both regions stay in order. */
+/* Move the cell if both regions stay in order. Distances are the map's, so what is left of `from` is no further apart than it was
+ * and need only be connected; in `to` the new cell alone has distances that were not within the diameter before. */
 static bool try_move(const qtr_division *d, qtr_cell cell, qtr_region to) {
   const qtr_region from = d->regions->of[cell];
   move(d, cell, to);
@@ -39,7 +41,7 @@ static bool try_move(const qtr_division *d, qtr_cell cell, qtr_region to) {
 /* ---- exchanging: cells go to the nearer of two representatives ---- */
 
 /* The cell that a full region would best give to another one, and what its distance becomes; QTR_NO_CELL if that would
- * lose all of `gain`. */
+ * lose all of `gain`: the sum of all cells' errors falls with each trade as with each move, so exchanging settles. */
 static qtr_cell find_return(const qtr_division *d, qtr_region full, qtr_region other, qtr_steps gain, qtr_steps *away) {
   const qtr_nearby *nearby = d->nearby;
   qtr_cell best = QTR_NO_CELL;
@@ -75,7 +77,7 @@ static bool try_trade(const qtr_division *d, qtr_cell cell, qtr_region full, qtr
   return false;
 }
 
-/* Add a cell to those chosen, the greatest gain first. */
+/* Add a cell to those chosen, the greatest gain first: later ones may find the region full. */
 static void insert_chosen(qtr_regions_scratch *s, qtr_cell cell, qtr_steps away) {
   const uint32_t gain = s->error[cell] - away;
   uint32_t at = s->chosen_count++;
@@ -104,6 +106,7 @@ static void choose_nearer(const qtr_division *d, qtr_region region) {
       insert_chosen(d->scratch, nearby->list[i], nearby->away[i]);
 }
 
+/* Each cell chosen is checked again as it is moved: those moved before it have changed both regions. */
 static void attract(const qtr_division *d, qtr_region region) {
   qtr_regions_scratch *s = d->scratch;
   choose_nearer(d, region);
@@ -124,7 +127,7 @@ void qtr_division_exchange(const qtr_division *d) {
 
 /* ---- dissolving: the cells of a small region are given to its neighbours ---- */
 
-/* Give the cell to the neighbour with the most room. */
+/* Give the cell to the neighbour with the most room, which is then the last to be full. */
 static bool give_away(const qtr_division *d, qtr_cell cell) {
   const qtr_region from = d->regions->of[cell];
   qtr_cell next[4];
@@ -143,7 +146,8 @@ static bool give_away(const qtr_division *d, qtr_cell cell) {
   return true;
 }
 
-/* All of the region's cells are given away, or none. */
+/* All of the region's cells are given away, or none. Inner cells can go when the outer ones have gone, so they are tried again as
+ * long as one goes. */
 static void dissolve_one(const qtr_division *d, qtr_region region) {
   qtr_regions_scratch *s = d->scratch;
   qtr_division_list_whole(d, region);
@@ -159,6 +163,8 @@ static void dissolve_one(const qtr_division *d, qtr_region region) {
     if (d->regions->of[s->chosen[i]] != region) move(d, s->chosen[i], region);
 }
 
+/* The smallest first, for they are the easiest to be rid of. Only the number of regions counts here: errors are settled by the
+ * exchange that follows. */
 void qtr_division_dissolve(const qtr_division *d) {
   for (uint32_t size = 1; size < d->config->max_size; size++)
     for (uint32_t region = 0; region < d->regions->count; region++)

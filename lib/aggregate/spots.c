@@ -24,7 +24,7 @@ typedef struct {
   double least_gain; /* of a move that is made: above what rounding may feign, so that the search ends */
 } clustering;
 
-/* How much the distance of two places counts for, since they are not equally likely. */
+/* How much the distance of two places counts for, since they are not equally likely: 1 + W (P_max / P_min - 1). */
 static double stretch(const clustering *c, unsigned p, unsigned q) {
   if (!(c->config->likelihood > 0.0)) return 1.0;
   const double a = c->ground->probability[p];
@@ -32,7 +32,8 @@ static double stretch(const clustering *c, unsigned p, unsigned q) {
   return 1.0 + c->config->likelihood * ((a > b ? a / b : b / a) - 1.0);
 }
 
-/* Distance of two places, TOO_FAR if they cannot be of one spot. */
+/* Distance of two places, TOO_FAR if they cannot be of one spot: the longer of the two ways, stretched. TOO_FAR is infinite, so
+ * any sum that it is in is TOO_FAR too, and a spot with two such places is never the best of anything. */
 static double apart(const clustering *c, unsigned p, unsigned q) {
   const qtr_steps there = way(c->ground, p, q);
   const qtr_steps back = way(c->ground, q, p);
@@ -116,7 +117,8 @@ static bool is_closer(linkage a, linkage b) {
   return a.longest < b.longest || (a.longest <= b.longest && a.total < b.total);
 }
 
-/* Join the two spots that are closest. False: no two may be joined. */
+/* Join the two spots that are closest. False: no two may be joined. How far two spots are is how far their farthest places are
+ * (complete linkage), for those must be within the diameter when they are one. */
 static bool join_closest(const clustering *c, qtr_spots *spots) {
   linkage best = {TOO_FAR, TOO_FAR};
   unsigned first = 0, second = 0;
@@ -165,6 +167,7 @@ static void try_ejecting(rehousing *best, const clustering *c, const qtr_spots *
   }
 }
 
+/* The cheapest place elsewhere; only if there is none, somebody is ejected to make room. */
 static bool rehouse(const clustering *c, qtr_spots *spots, unsigned place) {
   const unsigned from = spots->spot_of[place];
   rehousing best = {TOO_FAR, 0, NOT_ONE, 0};
@@ -179,6 +182,7 @@ static bool rehouse(const clustering *c, qtr_spots *spots, unsigned place) {
   return true;
 }
 
+/* All of a spot's places move, or none: a spot less, or everything as it was. So emptying ends. */
 static bool empty(const clustering *c, qtr_spots *spots, unsigned spot, qtr_spots *scratch) {
   *scratch = *spots;
   while (spots->size[spot] > 0)
@@ -196,6 +200,8 @@ static void empty_spots(const clustering *c, qtr_spots *spots, qtr_spots *scratc
 
 /* ---- closer places: moves and swaps ---- */
 
+/* A place nearer to another spot's places than to its own goes there. The summed distance within spots falls by least_gain at
+ * the least, and it is never below 0: so this ends. The last place of a spot stays: a spot less is for empty() to find. */
 static bool try_move(const clustering *c, qtr_spots *spots, unsigned place, unsigned to) {
   const unsigned from = spots->spot_of[place];
   if (to == from || spots->size[to] >= c->config->size || spots->size[from] == 1) return false;
@@ -205,6 +211,7 @@ static bool try_move(const clustering *c, qtr_spots *spots, unsigned place, unsi
   return true;
 }
 
+/* Full spots take nobody in, so two places that would be nearer elsewhere can only change places. */
 static bool try_swap(const clustering *c, qtr_spots *spots, unsigned p, unsigned q) {
   const unsigned s = spots->spot_of[p];
   const unsigned t = spots->spot_of[q];
@@ -281,7 +288,7 @@ int qtr_spots_build_sized(qtr_spots *spots, const qtr_spot_ground *ground, const
 
 /* ---- tours ---- */
 
-/* Steps and worth of the visits in the order of tour->place. */
+/* Steps and worth of the visits in the order of tour->place: sum of P gamma^t, or - P t, t from leaving the node. */
 static bool follow(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, unsigned count) {
   qtr_steps now = 0;
   tour->places = (uint8_t)count;
@@ -315,6 +322,7 @@ static bool can_be_toured(const qtr_spot_ground *ground, const uint16_t *place, 
   return true;
 }
 
+/* Nearest first (section 5.2.4), the lowest place among equals, so that a tour is the same on every machine. */
 bool qtr_spot_tour_nearest(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,
                            unsigned count) {
   if (!can_be_toured(ground, place, count)) return false;
@@ -353,13 +361,14 @@ typedef struct {
   unsigned next;  /* the place to go to, an index */
 } prospect;
 
+/* More worth, or as much to within rounding and sooner done: the rest of the game then begins sooner. */
 static bool is_better(const prospect *a, const prospect *b) {
   if (!(b->worth > -HUGE_VAL)) return a->worth > -HUGE_VAL;
   const double slack = ROUNDING * fabs(b->worth);
   return a->worth > b->worth + slack || (a->worth >= b->worth - slack && a->left < b->left);
 }
 
-/* The likelihood that waits while the seeker is on its way. */
+/* The likelihood that waits while the seeker is on its way: what is not done, and what comes after the spot. */
 static double waiting(const touring *t, unsigned done) {
   double sum = t->rest;
   for (unsigned i = 0; i < t->count; i++)
@@ -367,6 +376,7 @@ static double waiting(const touring *t, unsigned done) {
   return sum;
 }
 
+/* Discounted: gamma^d (P + V), with V what is to be had from there; expected time: V - d (the mass that waits). */
 static prospect go(const touring *t, unsigned done, unsigned node, unsigned next) {
   prospect p = {-HUGE_VAL, 0, next};
   const qtr_steps steps = way(t->ground, node, t->place[next]);
@@ -389,7 +399,11 @@ static prospect go_best(const touring *t, unsigned done, unsigned node) {
   return best;
 }
 
-/* Fill the scratch for every set of places done and the place visited last. */
+/* Fill the scratch for every set of places done and the place visited last:
+ *
+ *   V(S, j) = max over p not in S of delayed(visit(p) + V(S + p, p), d(j, p)),    V(all, j) = visit(rest)
+ *
+ * A set is a number, and one with a place more is a larger number: from the largest down, all that is needed is there. */
 static void look_back(const touring *t) {
   const unsigned all = (1u << t->count) - 1u;
   for (unsigned last = 0; last < t->count; last++) {
@@ -406,6 +420,7 @@ static void look_back(const touring *t) {
     }
 }
 
+/* Forwards, by what look_back() found to be had from each place on. */
 bool qtr_spot_tour_best(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,
                         unsigned count, int exit, double rest, qtr_spot_scratch *scratch) {
   if (!can_be_toured(ground, place, count) || exit < QTR_SPOT_ANY_EXIT || exit >= (int)count) return false;

@@ -22,7 +22,9 @@ static void begin(qtr_targets *t, const qtr_game *game) {
 
 /* ---- tours ---- */
 
-/* The tour of a target from a node; what follows its first place is kept by that place. */
+/* The tour of a target from a node; what follows its first place is kept by that place. From there on the best order maximises
+ * what is counted from its visit, whoever comes and when (objectives fall apart at any moment), and the nearest-first order
+ * looks at the place alone: so whichever node is planned last writes the same tour. */
 static bool plan_tour(qtr_targets *t, unsigned node, uint16_t target, uint8_t order) {
   const qtr_spot_ground ground = ground_of(t->game);
   const uint16_t *place = t->spots.place[target];
@@ -43,6 +45,7 @@ static bool plan_tour(qtr_targets *t, unsigned node, uint16_t target, uint8_t or
   return true;
 }
 
+/* Nobody goes from a spot to itself: all of it has been visited. */
 static void plan_tours_from(qtr_targets *t, unsigned node, uint8_t order) {
   for (uint16_t target = 0; target < t->count; target++) {
     t->first[(size_t)node * t->count + target] = QTR_STAND_DOWN;
@@ -53,6 +56,7 @@ static void plan_tours_from(qtr_targets *t, unsigned node, uint8_t order) {
 
 /* ---- targets ---- */
 
+/* Spots of one place each: their tours are a visit long, and the game is the ground's own. */
 void qtr_targets_places(qtr_targets *t, const qtr_game *game) {
   begin(t, game);
   t->count = t->spots.count = game->board.places;

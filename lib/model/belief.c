@@ -14,6 +14,8 @@ static const uint8_t magic[4] = {'Q', 'T', 'R', 'B'};
 
 /* ---- over the games ---- */
 
+/* Where targets are is a distribution theta over the places, itself unknown: Dirichlet with parameters prior + found, whose
+ * mean is (prior_p + found_p) / sum of both. `strength` is the sum of the priors: so many finds weigh as much. */
 static int check_start(unsigned places, double strength, double keep) {
   if (places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
   if (places == 0 || !(strength > 0.0 && strength <= QTR_BELIEF_MOST)) return QTR_ERR_ARGUMENT;
@@ -49,6 +51,7 @@ int qtr_belief_init_sized(qtr_belief *belief, unsigned places, const double *wei
   return belief->prior[0] >= QTR_BELIEF_LEAST ? QTR_OK : QTR_ERR_ARGUMENT;
 }
 
+/* found <- keep found: a find of n games ago counts keep^n, so that a distribution that drifts is followed. */
 void qtr_belief_begin_game(qtr_belief *belief) {
   if (belief->games < UINT32_MAX) belief->games++;
   for (unsigned p = 0; p < belief->places; p++) belief->found[p] *= belief->keep;
@@ -71,6 +74,7 @@ void qtr_belief_estimate(const qtr_belief *belief, double *estimate) {
 
 /* ---- within a game ---- */
 
+/* P(nothing seen | target at p) is the product of 1 - detection over the searches of p: looks fail independently. */
 void qtr_search_begin(qtr_search *search, const qtr_belief *belief) {
   search->places = belief->places;
   for (unsigned p = 0; p < search->places; p++) search->missed[p] = 1.0;
@@ -96,6 +100,8 @@ static double weigh(const qtr_search *search, const qtr_belief *belief) {
   return sum < DBL_MIN ? 0.0 : sum;
 }
 
+/* P(p | nothing seen) = P(p) P(nothing seen | p) / sum over q of the same (Bayes), and that sum over the sum of P is how likely
+ * it was to see nothing. */
 double qtr_search_posterior(const qtr_search *search, const qtr_belief *belief, double *posterior) {
   const double seen = weigh(search, belief);
   double all = 0.0;
@@ -106,6 +112,8 @@ double qtr_search_posterior(const qtr_search *search, const qtr_belief *belief, 
   return seen / all;
 }
 
+/* theta given that nothing was seen is a mixture over p, by the posterior, of Dirichlets with one find more at p. The mean of
+ * component p is (alpha + e_p) / (A + 1), so the mixture's is (alpha + posterior) / (A + 1): the posterior counts as one find. */
 int qtr_belief_not_found(qtr_belief *belief, const qtr_search *search) {
   const double seen = weigh(search, belief);
   if (!(seen > 0.0)) return QTR_ERR_ARGUMENT;
@@ -138,6 +146,7 @@ int qtr_belief_save(const qtr_belief *belief, void *bytes, uint32_t room) {
   return (int)size;
 }
 
+/* Bytes from outside: size, format and checksum before any number is looked at. */
 static int check_frame(const uint8_t *bytes, uint32_t size) {
   if (size < sizeof magic) return QTR_ERR_TRUNCATED;
   if (memcmp(bytes, magic, sizeof magic) != 0) return QTR_ERR_MAGIC;
@@ -161,6 +170,7 @@ static int check_header(const uint8_t *bytes, uint32_t size) {
   return places > QTR_MAX_PLACES ? QTR_ERR_LIMIT : QTR_OK;
 }
 
+/* A prior of 0 would keep a place from ever being learnt of; NaN is within no limits. */
 static bool are_within(const uint8_t *bytes, unsigned count, double least) {
   for (unsigned i = 0; i < count; i++) {
     const double value = load_double(bytes + 8u * i);

@@ -4,6 +4,8 @@
 
 #include "core/bytes.h"
 
+/* A search a place and none a start: it goes backwards from the place, so that one gives the times from everywhere. With terrain
+ * there and back differ, and what is kept is d(node, place). Little-endian, as a robot's board reads them from the table. */
 uint16_t qtr_matrix_fill(uint8_t *steps, const qtr_mission *mission, const qtr_cell *start, unsigned starts,
                          qtr_field *field) {
   const qtr_grid grid = qtr_mission_grid(mission);

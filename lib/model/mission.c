@@ -20,6 +20,7 @@ qtr_grid qtr_mission_grid(const qtr_mission *mission) {
   return grid;
 }
 
+/* Limits first: an index beyond an array must not be looked at, even to say what is wrong with it. */
 static int check_dimensions(const qtr_mission *mission) {
   const uint32_t cells = qtr_mission_cells(mission);
   if (mission->made != SETTINGS_MADE) return QTR_ERR_ARGUMENT;
@@ -39,6 +40,7 @@ static bool is_free(const qtr_mission *mission, qtr_cell cell) {
   return cell < qtr_mission_cells(mission) && mission->cost[cell] > 0;
 }
 
+/* A place twice would be one place whose visit counts two times, at two moments. Weights are such that their sum is a double. */
 static int check_place(const qtr_mission *mission, int place) {
   if (!is_free(mission, mission->place[place])) return QTR_ERR_PLACE;
   for (int before = 0; before < place; before++)
@@ -47,6 +49,7 @@ static int check_place(const qtr_mission *mission, int place) {
   return weight > 0.0 && weight <= DBL_MAX / QTR_MAX_PLACES ? QTR_OK : QTR_ERR_WEIGHT;
 }
 
+/* What is refused here is what no search can make good; whether places can be reached, only travel times tell. */
 int qtr_mission_check(const qtr_mission *mission, int *culprit) {
   int nobody;
   int *const at = culprit != NULL ? culprit : &nobody;

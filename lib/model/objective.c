@@ -45,10 +45,12 @@ double qtr_objective_far_power(const qtr_objective *objective, qtr_steps n) {
   return power;
 }
 
+/* -P t is worth less than 0, so leaving a place out would be a gain: under expected time it is no play. */
 bool qtr_objective_needs_all(const qtr_objective *objective) {
   return objective->kind == QTR_TIME;
 }
 
+/* Expected time never fades; a place at 0 steps or 1 has gamma^0 of it left. */
 bool qtr_objective_tells(const qtr_objective *objective, qtr_steps steps) {
   if (objective->kind == QTR_TIME || steps == 0) return true;
   return qtr_objective_power(objective, steps - 1) >= QTR_OBJECTIVE_LEAST_POWER;
@@ -110,6 +112,8 @@ void qtr_objective_begin(qtr_outcome *outcome, qtr_steps now) {
   outcome->now = now;
 }
 
+/* Expected time as a backup sees it: W(s,a) = tau (unvisited mass) + W(s'), negated; who is visited within the stretch waits no
+ * longer than until then. */
 void qtr_objective_wait(const qtr_objective *objective, qtr_outcome *outcome, double unvisited, qtr_steps passed) {
   if (objective->kind == QTR_TIME) outcome->reward -= (double)passed * unvisited;
 }
