@@ -123,7 +123,7 @@ static void test_likelihoods(void) {
 static void begin_a_tour_elsewhere(void) {
   qtr_targets *targets = &table_ground.targets;
   targets->first[3 * targets->count + 0] = 1;
-  qtr_targets_duration(targets, 3, 0);
+  qtr_targets_duration(targets, QTR_ANY_SEEKER, 3, 0);
 }
 
 static void tour_a_place_twice(void) {

@@ -198,11 +198,7 @@ option_table option_records = {
      .help = "paper setting: learning rate, above 0 up to 1 (default %s)",
      .standard = "1",
      NUMBER(plan.learner.alpha, 1e-9, 1.0, "above 0 up to 1")},
-    {.name = "aggregate",
-     .argument = "WHAT",
-     .help = "none (the default), spots, and in the paper setting regions or both: learn on an aggregate;\n"
-             "what is reported is what the policy earns on the true map",
-     WORD(plan.aggregate.way, aggregate_names)},
+    {.name = "aggregate", .argument = "WHAT", .help = aggregate_help, WORD(plan.aggregate.way, aggregate_names)},
     {.name = "region-size",
      .argument = "N",
      .standard = "25",

@@ -13,7 +13,7 @@
 
 #define QTR_STAND_DOWN ((uint16_t)0xFFFF) /* as a choice; and as a node, of a seeker that has stood down */
 #define QTR_MAX_STARTS 32767              /* so that every node has a number of 16 bits */
-#define QTR_ANY_SEEKER 0u                 /* where no one seeker is meant: all travel alike */
+#define QTR_ANY_SEEKER QTR_MAX_SEEKERS /* where no one seeker is meant: the ground's own times, which no seeker beats */
 
 enum qtr_rule {
   QTR_RULE_FREE = 0, /* an unvisited place that nobody is bound for, or stand down */
@@ -40,7 +40,8 @@ int qtr_board_init_built(qtr_board *board, uint32_t config_id);
 /* Places and starts. */
 unsigned qtr_board_nodes(const qtr_board *board);
 
-/* Travel time of a seeker from a node to a place; QTR_NEVER if there is no way, or no such seeker, node or place. */
+/* Travel time of a seeker from a node to a place; QTR_NEVER if there is no way, or no such seeker, node or place.
+ * QTR_ANY_SEEKER is one. */
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place);
 
 #endif

@@ -69,8 +69,8 @@ static inline uint16_t qtr_targets_place(const qtr_targets *targets, unsigned ta
 /* Likelihood of all of a target's places. */
 double qtr_targets_probability(const qtr_targets *targets, unsigned target);
 
-/* Steps from a node to the end of a target's tour; QTR_NEVER if there is no way. */
-qtr_steps qtr_targets_duration(const qtr_targets *targets, unsigned node, unsigned target);
+/* Steps that a seeker takes from a node to the end of a target's tour; QTR_NEVER if there is no way. */
+qtr_steps qtr_targets_duration(const qtr_targets *targets, unsigned seeker, unsigned node, unsigned target);
 
 /* Steps from a tour's first visit to its last, and the place of that. */
 static inline qtr_steps qtr_tour_length(const qtr_tour *tour) {

@@ -28,7 +28,8 @@ static uint16_t first_place(const qtr_environment *e, unsigned node, unsigned ta
 static qtr_steps longest_between(const qtr_environment *e, unsigned from, unsigned to) {
   qtr_steps longest = QTR_NEVER;
   for (unsigned i = 0; i < qtr_targets_size(&e->targets, from); i++) {
-    const qtr_steps steps = qtr_targets_duration(&e->targets, qtr_targets_place(&e->targets, from, i), to);
+    const qtr_steps steps =
+        qtr_targets_duration(&e->targets, QTR_ANY_SEEKER, qtr_targets_place(&e->targets, from, i), to);
     if (steps != QTR_NEVER && (longest == QTR_NEVER || steps > longest)) longest = steps;
   }
   return longest;
@@ -47,7 +48,7 @@ static int make_board(qtr_environment *e, uint8_t rule) {
       store32_le(e->reach + 4 * ((size_t)from * targets + to), from == to ? 0 : longest_between(e, from, to));
     for (unsigned start = 0; start < e->board.starts; start++)
       store32_le(e->reach + 4 * ((size_t)(targets + start) * targets + to),
-                 qtr_targets_duration(&e->targets, places_of(e) + start, to));
+                 qtr_targets_duration(&e->targets, QTR_ANY_SEEKER, places_of(e) + start, to));
   }
   return qtr_board_init(&e->board);
 }
@@ -158,7 +159,7 @@ double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int se
   }
   const uint16_t first = first_place(e, s->at[seeker], choice);
   if (first == QTR_STAND_DOWN) return 0.0;
-  const qtr_steps exact = qtr_targets_duration(&e->targets, s->at[seeker], choice);
+  const qtr_steps exact = qtr_targets_duration(&e->targets, (unsigned)seeker, s->at[seeker], choice);
   const bool here = qtr_board_steps(&e->game->board, (unsigned)seeker, s->at[seeker], first) == 0;
   const bool done = qtr_joint_choose(&s->joint, &e->board, seeker, choice);
   s->at[seeker] = first;
@@ -196,7 +197,7 @@ static void collect_tour(const qtr_environment *e, qtr_situation *s, qtr_outcome
 /* P / d: half a step for what is here, so that it goes before all else and the rate stays a number. */
 double qtr_environment_rate(const qtr_environment *e, unsigned node, unsigned target) {
   if (first_place(e, node, target) == QTR_STAND_DOWN) return 0.0;
-  const qtr_steps steps = qtr_targets_duration(&e->targets, node, target);
+  const qtr_steps steps = qtr_targets_duration(&e->targets, QTR_ANY_SEEKER, node, target);
   return qtr_targets_probability(&e->targets, target) / (steps > 0 ? (double)steps : 0.5);
 }
 

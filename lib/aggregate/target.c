@@ -88,10 +88,10 @@ double qtr_targets_probability(const qtr_targets *t, unsigned target) {
   return probability;
 }
 
-qtr_steps qtr_targets_duration(const qtr_targets *t, unsigned node, unsigned target) {
+qtr_steps qtr_targets_duration(const qtr_targets *t, unsigned seeker, unsigned node, unsigned target) {
   const uint16_t first = qtr_targets_first(t, node, target);
   if (first == QTR_STAND_DOWN) return QTR_NEVER;
   /* A tour is known by its first place, which is one of the target's own. */
   QTR_ASSERT(t->tour[first].places > 0 && t->tour[first].target == target);
-  return qtr_board_steps(&t->game->board, QTR_ANY_SEEKER, node, first) + qtr_tour_length(&t->tour[first]);
+  return qtr_board_steps(&t->game->board, seeker, node, first) + qtr_tour_length(&t->tour[first]);
 }

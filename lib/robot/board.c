@@ -7,8 +7,18 @@ unsigned qtr_board_nodes(const qtr_board *board) {
 }
 
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
-  if (seeker >= board->seekers || node >= qtr_board_nodes(board) || place >= board->places) return QTR_NEVER;
+  if ((seeker >= board->seekers && seeker != QTR_ANY_SEEKER) || node >= qtr_board_nodes(board) ||
+      place >= board->places)
+    return QTR_NEVER;
   return steps_between(board, seeker, node, place);
+}
+
+void qtr_board_load_seats(qtr_board *board, const uint8_t *bytes) {
+  for (unsigned i = 0; i < board->seekers; i++) board->start_of[i] = (uint16_t)load16_le(bytes + 2 * i);
+}
+
+void qtr_board_store_seats(const qtr_board *board, uint8_t *bytes) {
+  for (unsigned i = 0; i < board->seekers; i++) store16_le(bytes + 2 * i, board->start_of[i]);
 }
 
 static int check_numbers(const qtr_board *board) {

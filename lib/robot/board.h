@@ -1,4 +1,5 @@
-/* The one place where a travel time is read; inline, for the joint game reads little else. */
+/* What only the core asks of a board: travel times, read in this one place and inline, for the joint game reads little else; and
+ * its seekers as a table has them. */
 #ifndef QUARTER_ROBOT_BOARD_H
 #define QUARTER_ROBOT_BOARD_H
 
@@ -10,8 +11,13 @@
 static inline qtr_steps steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
   (void)seeker; /* all travel alike */
   /* A seeker stands on a node of the board, and goes to one of its places. */
-  QTR_ASSERT(seeker < board->seekers && node < (unsigned)board->places + board->starts && place < board->places);
+  QTR_ASSERT((seeker < board->seekers || seeker == QTR_ANY_SEEKER) && node < (unsigned)board->places + board->starts &&
+             place < board->places);
   return load32_le(board->steps + 4 * ((uint32_t)node * board->places + place));
 }
+
+/* What a table says of each seeker, from the board's seekers on: where it starts. 2 bytes each. */
+void qtr_board_load_seats(qtr_board *board, const uint8_t *bytes);
+void qtr_board_store_seats(const qtr_board *board, uint8_t *bytes);
 
 #endif

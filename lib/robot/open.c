@@ -6,6 +6,7 @@
 #include "quarter/nominal.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
+#include "robot/board.h"
 #include "robot/checks.h"
 #include "robot/layout.h"
 
@@ -70,8 +71,7 @@ static int read_board(qtr_policy *policy, uint32_t size) {
   table_layout layout;
   qtr_layout_find(&layout, &dimensions);
   if (layout.end > size) return QTR_ERR_CORRUPT;
-  const uint8_t *seats = policy->bytes + layout.at[SECTION_SEATS];
-  for (unsigned i = 0; i < board->seekers; i++) board->start_of[i] = (uint16_t)load16_le(seats + 2 * i);
+  qtr_board_load_seats(board, policy->bytes + layout.at[SECTION_SEATS]);
   policy->cells = policy->bytes + layout.at[SECTION_CELLS];
   policy->weights = policy->bytes + layout.at[SECTION_WEIGHTS];
   board->steps = policy->bytes + layout.at[SECTION_TRAVEL];

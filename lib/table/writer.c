@@ -9,6 +9,7 @@
 #include "quarter/nominal.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
+#include "robot/board.h"
 #include "robot/layout.h"
 
 static uint8_t encoding_of(const qtr_mission *mission) {
@@ -78,10 +79,6 @@ static void write_certificate(uint8_t *bytes, const qtr_table_content *content) 
 
 /* ---- sections ---- */
 
-static void write_seats(uint8_t *at, const qtr_board *board) {
-  for (unsigned i = 0; i < board->seekers; i++) store16_le(at + 2 * i, board->start_of[i]);
-}
-
 static void write_cells(uint8_t *at, const qtr_table_content *content) {
   const qtr_board *board = content->board;
   for (unsigned place = 0; place < board->places; place++, at += 4) store32_le(at, content->mission->place[place]);
@@ -118,7 +115,7 @@ static void write_regions(uint8_t *at, const qtr_table_content *content) {
 static void write_sections(uint8_t *bytes, const table_layout *layout, const qtr_table_content *content) {
   const qtr_board *board = content->board;
   const uint32_t records = content->record_count * record_size(board->keys.words);
-  write_seats(bytes + layout->at[SECTION_SEATS], board);
+  qtr_board_store_seats(board, bytes + layout->at[SECTION_SEATS]);
   write_cells(bytes + layout->at[SECTION_CELLS], content);
   write_weights(bytes + layout->at[SECTION_WEIGHTS], content);
   memcpy(bytes + layout->at[SECTION_TRAVEL], board->steps, 4u * qtr_board_nodes(board) * board->places);

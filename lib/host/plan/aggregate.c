@@ -20,6 +20,10 @@ const char *const aggregate_names[] = {[AGGREGATE_NONE] = "none",
                                        [AGGREGATE_BOTH] = "both",
                                        NULL};
 
+const char aggregate_help[] =
+    "none (the default), spots, and in the paper setting regions or both: learn on an aggregate;\n"
+    "what is reported is what the policy earns on the true map";
+
 /* In the order of the names. */
 static const struct {
   int (*divide)(qtr_regions *regions, const aggregate_config *config, const qtr_mission *mission,

@@ -11,8 +11,9 @@
 /* The first ways; there may be more of them than anybody asks for by number. */
 enum { AGGREGATE_NONE = 0, AGGREGATE_REGIONS = 1, AGGREGATE_SPOTS = 2, AGGREGATE_BOTH = 3 };
 
-/* What users call the ways; ended by NULL. */
+/* What users call the ways, ended by NULL; and what help says of them. */
 extern const char *const aggregate_names[];
+extern const char aggregate_help[];
 
 typedef struct {
   int way;                    /* a number of aggregate_names */
