@@ -7,7 +7,6 @@
 #include "support/tables.h"
 
 static qtr_policy policy;
-static uint8_t copy[TABLE_MOST];
 
 void setUp(void) {
   snprintf(case_note, sizeof case_note, "by hand");
@@ -16,15 +15,10 @@ void setUp(void) {
 void tearDown(void) {
 }
 
-static void take(void) {
-  table_open(&policy);
-  memcpy(copy, table_bytes, table_size);
-}
-
 /* A forger makes checksum and digest right, opens, and starts from the true table again. */
 static void expect(int status) {
-  TEST_ASSERT_EQUAL_INT_MESSAGE(status, table_forge(&policy, copy, table_size), case_note);
-  take();
+  TEST_ASSERT_EQUAL_INT_MESSAGE(status, table_forge(&policy, table_copy, table_size), case_note);
+  table_take(&policy);
 }
 
 static uint32_t offset_of(const uint8_t *section) {
@@ -36,11 +30,11 @@ static uint32_t offset_of(const uint8_t *section) {
 /* Two seekers with a start each, four places, terrain. */
 static void make_table(void) {
   table_draw("1..S..2/.#~..1./3.....S", 0);
-  take();
+  table_take(&policy);
 }
 
 static void set_steps(unsigned node, unsigned place, qtr_steps steps) {
-  store32_le(copy + offset_of(policy.board.steps) + 4 * (node * policy.board.places + place), steps);
+  store32_le(table_copy + offset_of(policy.board.steps) + 4 * (node * policy.board.places + place), steps);
   snprintf(case_note, sizeof case_note, "%u steps from node %u to place %u", (unsigned)steps, node, place);
 }
 
@@ -92,7 +86,7 @@ static void test_reach_that_is_no_division_is_refused(void) {
 
 static void test_way_into_a_part_of_the_map_and_not_back_is_refused(void) {
   table_draw("S1.#.2S", 0);
-  take();
+  table_take(&policy);
   set_steps(0, 1, 9);
   expect(QTR_ERR_TRAVEL);
   set_steps(1, 0, 9);
@@ -108,8 +102,8 @@ static void test_way_into_a_part_of_the_map_and_not_back_is_refused(void) {
 /* Both of its seekers at the left start: what lies right of the wall is in nobody's reach. */
 static void test_place_that_only_an_empty_start_reaches_is_refused(void) {
   table_draw("S1.#.2S", 0);
-  take();
-  store16_le(copy + QTR_POLICY_HEADER_BYTES + 2, 0);
+  table_take(&policy);
+  store16_le(table_copy + QTR_POLICY_HEADER_BYTES + 2, 0);
   expect(QTR_ERR_TRAVEL);
 }
 
@@ -135,7 +129,7 @@ static void test_way_from_a_place_to_itself_that_takes_time_is_refused(void) {
 static void test_two_places_in_one_cell_are_refused(void) {
   make_table();
   const uint32_t cells = offset_of(policy.cells);
-  store32_le(copy + cells + 4, load32_le(copy + cells));
+  store32_le(table_copy + cells + 4, load32_le(table_copy + cells));
   set_steps(0, 1, 0);
   set_steps(1, 0, 0);
   expect(QTR_ERR_TRAVEL);
@@ -146,13 +140,13 @@ static void test_two_places_in_one_cell_are_refused(void) {
 static void test_likelihoods_that_do_not_sum_to_one_are_refused(void) {
   make_table();
   const uint32_t at = offset_of(policy.weights);
-  const uint32_t weight = load32_le(copy + at);
+  const uint32_t weight = load32_le(table_copy + at);
   uint64_t sum = 0;
   for (unsigned place = 0; place < 4; place++) sum += qtr_policy_weight(&policy, place);
   const uint32_t most = (uint32_t)(((uint64_t)1 << 32) + 4 - sum) + weight;
   const uint32_t tried[] = {most, most + 1, most - 8, most - 9, 1, UINT32_MAX};
   for (unsigned i = 0; i < 6; i++) {
-    store32_le(copy + at, tried[i]);
+    store32_le(table_copy + at, tried[i]);
     expect(i % 2 == 0 && i < 4 ? QTR_OK : QTR_ERR_CORRUPT);
   }
 }
@@ -162,7 +156,7 @@ static void test_likelihoods_that_do_not_sum_to_one_are_refused(void) {
 static void set_double(uint32_t offset, double value) {
   uint64_t bits;
   memcpy(&bits, &value, sizeof bits);
-  store64_le(copy + offset, bits);
+  store64_le(table_copy + offset, bits);
   snprintf(case_note, sizeof case_note, "%g at offset %u", value, (unsigned)offset);
 }
 
@@ -183,7 +177,7 @@ static void make_certified(uint8_t objective) {
   table_mission.aim.kind = objective;
   table_learn(1000);
   table_export();
-  take();
+  table_take(&policy);
 }
 
 static void test_numbers_that_are_none_are_refused(void) {
@@ -255,27 +249,27 @@ static void test_gap_is_open_where_value_and_bound_differ_and_nowhere_else(void)
 static void test_gap_to_a_value_of_nothing_may_be_infinite_but_not_certified(void) {
   make_certified(0);
   set_double(QTR_POLICY_VALUE, 0.0);
-  copy[QTR_POLICY_CERTIFIED] = 0;
+  table_copy[QTR_POLICY_CERTIFIED] = 0;
   expect_double(QTR_OK, QTR_POLICY_GAP, HUGE_VAL);
   set_double(QTR_POLICY_VALUE, 0.0);
-  copy[QTR_POLICY_CERTIFIED] = 1;
+  table_copy[QTR_POLICY_CERTIFIED] = 1;
   expect_double(QTR_ERR_CERTIFICATE, QTR_POLICY_GAP, HUGE_VAL);
   set_double(QTR_POLICY_VALUE, 0.0);
-  copy[QTR_POLICY_CERTIFIED] = 0;
+  table_copy[QTR_POLICY_CERTIFIED] = 0;
   expect_double(QTR_ERR_CERTIFICATE, QTR_POLICY_GAP, NAN);
 }
 
 /* ---- bytes that mean nothing ---- */
 
 static void expect_byte(uint32_t offset, unsigned value) {
-  copy[offset] = (uint8_t)value;
+  table_copy[offset] = (uint8_t)value;
   snprintf(case_note, sizeof case_note, "%u at offset %u", value, (unsigned)offset);
   expect(QTR_ERR_CORRUPT);
 }
 
 static void test_bytes_kept_for_later_are_0(void) {
   table_draw("1..S..2", 1);
-  take();
+  table_take(&policy);
   expect_byte(QTR_POLICY_KEY_WORDS + 1, 1);
   for (unsigned i = 0; i < 4; i++) {
     expect_byte(QTR_POLICY_PRODUCER + 4 + i, 128);
@@ -291,8 +285,8 @@ static void test_map_without_metres_lies_nowhere(void) {
   make_table();
   expect_byte(QTR_POLICY_ORIGIN_X, 1);
   expect_byte(QTR_POLICY_ORIGIN_Y + 7, 0x80);
-  store32_le(copy + QTR_POLICY_CELL_SIZE, 50000);
-  copy[QTR_POLICY_ORIGIN_X] = 1;
+  store32_le(table_copy + QTR_POLICY_CELL_SIZE, 50000);
+  table_copy[QTR_POLICY_ORIGIN_X] = 1;
   expect(QTR_OK);
 }
 
@@ -300,11 +294,11 @@ static void test_map_without_metres_lies_nowhere(void) {
 
 static void make_regions(void) {
   table_draw_regions();
-  take();
+  table_take(&policy);
 }
 
 static void expect_region(int status, unsigned cell, unsigned region) {
-  store16_le(copy + offset_of(policy.regions) + 2 * cell, region);
+  store16_le(table_copy + offset_of(policy.regions) + 2 * cell, region);
   snprintf(case_note, sizeof case_note, "cell %u in region %u", cell, region);
   expect(status);
 }

@@ -52,16 +52,12 @@ static const option_line lines[] = {
     {"cleared", NULL, 0},
     {"table-limit", NULL, 0},
     {"curve", NULL, 0},
-    {"json", NULL, 0},
-    {"quiet", NULL, 0},
-    {NULL, NULL, 0},
+    OPTION_LINES_OF_REPORT,
 };
 
-static const char outro[] =
-    "\n"
-    "Exit status: 0 done, certified or not; 2 bad input, nothing written; 3 ended by the limit or a signal before "
-    "there\n"
-    "was a first plan, nothing written; 130 (143) ended by Ctrl-C (SIGTERM), best policy written.\n";
+static const char outro[] = "\n"
+                            "Exit status: 0 done, certified or not; 2 bad input, nothing written; " STATUS_OF_EARLY_END(
+                                "there\nwas a first ") "130 (143) ended by Ctrl-C (SIGTERM), best policy written.\n";
 
 static const option_set set = {"learn", intro, outro, option_records, lines};
 

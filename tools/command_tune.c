@@ -32,16 +32,13 @@ static const option_line lines[] = {
     {"learner, explore, alpha, seed, robots, objective, gamma, rule,\n"
      "cell-size, skip-unreachable, snap",
      "as in 'quarter learn'", 59},
-    {"json", NULL, 0},
-    {"quiet", NULL, 0},
-    {NULL, NULL, 0},
+    OPTION_LINES_OF_REPORT,
 };
 
 static const char outro[] =
     "\n"
-    "Exit status: 0 done; 2 bad input, or nothing that fits the budget; 3 ended by the limit or a signal before the "
-    "first\n"
-    "plan, nothing written; 130 (143) ended by Ctrl-C (SIGTERM), what was tried until then is reported.\n";
+    "Exit status: 0 done; 2 bad input, or nothing that fits the budget; " STATUS_OF_EARLY_END(
+        "the first\n") "130 (143) ended by Ctrl-C (SIGTERM), what was tried until then is reported.\n";
 
 static const option_set set = {"tune", intro, outro, option_records, lines};
 

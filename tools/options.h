@@ -37,6 +37,11 @@ typedef struct {
 /* Every option of every command, each told of once: how it is spelt, what it takes, where that goes, what help says of it. */
 extern option_table option_records;
 
+/* How the list of a command ends that learns and reports; and what the exit status 3 of one says. `first` is what there was not,
+ * broken where its help has room. */
+#define OPTION_LINES_OF_REPORT {"json", NULL, 0}, {"quiet", NULL, 0}, {NULL, NULL, 0}
+#define STATUS_OF_EARLY_END(first) "3 ended by the limit or a signal before " first "plan, nothing written; "
+
 /* What is asked for where nothing is said. */
 void options_default(options *o);
 

@@ -65,24 +65,23 @@ function drawClear(context, x, y, radius, ink) {
   context.stroke();
 }
 
-function drawFound(context, x, y) {
-  star(context, x, y, clamp(view.cell * 0.75, 10, 26));
+function drawMine(context, x, y, size, width, dashes) {
+  star(context, x, y, size);
   context.fillStyle = style.mine;
   context.fill();
   context.strokeStyle = "#111";
-  context.lineWidth = 1.5;
+  context.lineWidth = width;
+  context.setLineDash(dashes);
   context.stroke();
+  context.setLineDash([]);
+}
+
+function drawFound(context, x, y) {
+  drawMine(context, x, y, clamp(view.cell * 0.75, 10, 26), 1.5, []);
 }
 
 function drawHiddenMine(context, x, y) {
-  star(context, x, y, clamp(view.cell * 0.36, 5, 12));
-  context.fillStyle = style.mine;
-  context.fill();
-  context.strokeStyle = "#111";
-  context.lineWidth = 1;
-  context.setLineDash([2, 2]);
-  context.stroke();
-  context.setLineDash([]);
+  drawMine(context, x, y, clamp(view.cell * 0.36, 5, 12), 1, [2, 2]);
 }
 
 function drawPlace(context, model, state, number) {

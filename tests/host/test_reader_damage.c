@@ -1,5 +1,6 @@
 /* Every reader on every prefix of a valid file and on thousands of damaged ones: it reads, or says why not in one line.
  * Under a sanitizer this also shows that nothing is read or written where it should not be, and nothing leaks. */
+#include "support/random.h"
 #include "support/reader_scratch.h"
 
 #define YAML                                                                                                           \
@@ -111,17 +112,17 @@ static void test_binary_images_need_every_byte(void) {
 }
 
 /* One to four bytes changed, and now and then one left out or doubled. */
-static size_t damage(char *to, const sample *sample, unsigned *state) {
+static size_t damage(char *to, const sample *sample, test_random *random) {
   static const char likely[] = "0123456789-.:,;#[]{}&*!|>'\"%@`\n\r\t \\ePSx";
   size_t size = sample->size;
   memcpy(to, sample->text, size);
-  for (unsigned n = 1 + scratch_random(state) % 4; n > 0; n--) {
-    size_t at = scratch_random(state) % size;
-    bool any = scratch_random(state) % 2 == 0;
-    to[at] = any ? (char)(scratch_random(state) % 256) : likely[scratch_random(state) % (sizeof likely - 1)];
+  for (unsigned n = 1 + random_below(random, 4); n > 0; n--) {
+    size_t at = random_below(random, (unsigned)size);
+    bool any = random_chance(random, 50);
+    to[at] = any ? (char)random_below(random, 256) : likely[random_below(random, sizeof likely - 1)];
   }
-  size_t at = scratch_random(state) % size;
-  unsigned chance = scratch_random(state) % 8;
+  size_t at = random_below(random, (unsigned)size);
+  unsigned chance = random_below(random, 8);
   if (chance == 0) memmove(to + at, to + at + 1, --size - at);
   if (chance == 1) memmove(to + at + 1, to + at, size++ - at);
   return size;
@@ -131,11 +132,9 @@ static void test_random_damage_reads_or_says_why_not(void) {
   static char damaged[1024];
   for (int i = 0; i < SAMPLES; i++) {
     for (unsigned seed = 1; seed <= 1500; seed++) {
-      unsigned state = seed * 2654435761u + (unsigned)i;
-      char message[80];
-      snprintf(message, sizeof message, "%s damaged by seed %u", samples[i].name, seed);
-      scratch_write_bytes(samples[i].name, damaged, damage(damaged, &samples[i], &state));
-      read_damaged(&samples[i], message);
+      test_random random = random_case(samples[i].name, seed);
+      scratch_write_bytes(samples[i].name, damaged, damage(damaged, &samples[i], &random));
+      read_damaged(&samples[i], case_note);
     }
     scratch_write_bytes(samples[i].name, samples[i].text, samples[i].size);
   }

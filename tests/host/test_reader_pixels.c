@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "host/input/pixels.h"
+#include "support/random.h"
 #include "support/reader_scratch.h"
 
 #define SIDE 24
@@ -97,19 +98,17 @@ static bool near_obstacle(const uint8_t *before, int width, int height, int x, i
 
 static void test_growth_agrees_with_brute_force(void) {
   for (unsigned seed = 1; seed <= 300; seed++) {
-    unsigned state = seed * 2654435761u;
-    char message[40];
-    snprintf(message, sizeof message, "seed %u", seed);
+    test_random random = random_case("growth", seed);
     uint8_t before[SIDE * SIDE];
-    pixels map = {1 + (int)(scratch_random(&state) % SIDE), 1 + (int)(scratch_random(&state) % SIDE), blocked};
-    double radius = scratch_random(&state) % 1000 / 137.0;
-    unsigned density = 2 + scratch_random(&state) % 60;
-    for (int i = 0; i < map.width * map.height; i++) before[i] = scratch_random(&state) % density == 0;
+    pixels map = {1 + (int)random_below(&random, SIDE), 1 + (int)random_below(&random, SIDE), blocked};
+    double radius = random_below(&random, 1000) / 137.0;
+    unsigned density = 2 + random_below(&random, 60);
+    for (int i = 0; i < map.width * map.height; i++) before[i] = random_below(&random, density) == 0;
     memcpy(blocked, before, sizeof before);
     TEST_ASSERT_EQUAL_INT(0, pixels_grow(&map, radius));
     for (int i = 0; i < map.width * map.height; i++) {
       bool wanted = near_obstacle(before, map.width, map.height, i % map.width, i / map.width, radius);
-      TEST_ASSERT_EQUAL_INT_MESSAGE(wanted, blocked[i], message);
+      TEST_ASSERT_EQUAL_INT_MESSAGE(wanted, blocked[i], case_note);
     }
   }
 }
@@ -168,19 +167,17 @@ static bool cell_free(const pixels *map, int column, int above, double ratio) {
 
 static void test_coarsening_agrees_with_brute_force(void) {
   for (unsigned seed = 1; seed <= 300; seed++) {
-    unsigned state = seed * 2246822519u;
-    char message[40];
-    snprintf(message, sizeof message, "seed %u", seed);
-    pixels map = {1 + (int)(scratch_random(&state) % SIDE), 1 + (int)(scratch_random(&state) % SIDE), blocked};
-    double ratio = 0.3 + scratch_random(&state) % 1000 / 213.0;
-    unsigned density = 2 + scratch_random(&state) % 60;
-    for (int i = 0; i < map.width * map.height; i++) blocked[i] = scratch_random(&state) % density == 0;
+    test_random random = random_case("coarsening", seed);
+    pixels map = {1 + (int)random_below(&random, SIDE), 1 + (int)random_below(&random, SIDE), blocked};
+    double ratio = 0.3 + random_below(&random, 1000) / 213.0;
+    unsigned density = 2 + random_below(&random, 60);
+    for (int i = 0; i < map.width * map.height; i++) blocked[i] = random_below(&random, density) == 0;
     int columns = (int)pixels_cells(map.width, ratio), rows = (int)pixels_cells(map.height, ratio);
     TEST_ASSERT_LESS_OR_EQUAL_INT((int)sizeof cost, columns * rows);
     TEST_ASSERT_EQUAL_INT(0, pixels_coarsen(cost, columns, rows, &map, ratio));
     for (int i = 0; i < columns * rows; i++) {
       bool wanted = cell_free(&map, i % columns, rows - 1 - i / columns, ratio);
-      TEST_ASSERT_EQUAL_INT_MESSAGE(wanted, cost[i], message);
+      TEST_ASSERT_EQUAL_INT_MESSAGE(wanted, cost[i], case_note);
     }
   }
 }

@@ -16,12 +16,6 @@ void tearDown(void) {
   scratch_close();
 }
 
-static void write_map(const char *yaml, const char *pgm, const char *mission) {
-  scratch_write("m.yaml", yaml);
-  scratch_write("m.pgm", pgm);
-  scratch_write("mission.yaml", mission);
-}
-
 static void expect_classes(int maximum, const int *samples, const char *wanted) {
   for (int i = 0; wanted[i] != '\0'; i++) {
     char kind = "fo?"[rosmap_classify(&header, samples[i], maximum)], message[40];
@@ -72,8 +66,8 @@ static void test_raw_takes_the_greys_as_percent(void) {
 
 static void test_rows_columns_and_the_frame(void) {
   /* Free, occupied | unknown, free. */
-  write_map(YAML("negate: 0\n"), "P2 2 2 255\n255 0\n204 255\n",
-            "map: m.yaml\nrobots: [{x: -0.6, y: 2.9}]\nplaces: [{x: -0.1, y: 2.1}]\n");
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 2 255\n255 0\n204 255\n",
+                       "map: m.yaml\nrobots: [{x: -0.6, y: 2.9}]\nplaces: [{x: -0.1, y: 2.1}]\n");
   scratch_read("mission.yaml");
   scratch_expect_cells("1#|#1|");
   TEST_ASSERT_EQUAL_INT(0, scratch_input.mission.start[0]);
@@ -92,68 +86,69 @@ static void test_rows_columns_and_the_frame(void) {
 
 static void test_unknown_is_blocked_unless_free_is_asked_for(void) {
   const char *pgm = "P2 3 2 255\n255 255 204\n255 0 255\n";
-  write_map(YAML("negate: 0\n"), pgm, MISSION(""));
+  scratch_write_rosmap(YAML("negate: 0\n"), pgm, MISSION(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("11#|1#1|");
-  write_map(YAML("negate: 0\n"), pgm, MISSION("unknown: blocked\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), pgm, MISSION("unknown: blocked\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("11#|1#1|");
-  write_map(YAML("negate: false\n"), pgm, MISSION("unknown: free\n"));
+  scratch_write_rosmap(YAML("negate: false\n"), pgm, MISSION("unknown: free\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("111|1#1|");
 }
 
 static void test_negate_and_mode_are_read(void) {
-  write_map(YAML("negate: 1\nmode: Trinary\n"), "P2 3 1 255\n0 0 255\n", MISSION(""));
+  scratch_write_rosmap(YAML("negate: 1\nmode: Trinary\n"), "P2 3 1 255\n0 0 255\n", MISSION(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("11#|");
-  write_map(YAML("negate: true\nmode: raw\n"), "P2 3 1 255\n0 0 1\n", MISSION(""));
+  scratch_write_rosmap(YAML("negate: true\nmode: raw\n"), "P2 3 1 255\n0 0 1\n", MISSION(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("11#|");
-  write_map(YAML("negate: 0\nmode: scale\n"), "P2 4 1 255\n255 255 150 255\n", MISSION("unknown: free\n"));
+  scratch_write_rosmap(YAML("negate: 0\nmode: scale\n"), "P2 4 1 255\n255 255 150 255\n", MISSION("unknown: free\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("11#1|");
 }
 
 static void test_obstacles_grow_by_the_radius(void) {
-  write_map(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 0\n", MISSION("robot_radius: 0.75\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 0\n", MISSION("robot_radius: 0.75\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("111###|");
   TEST_ASSERT_EQUAL_DOUBLE(0.75, scratch_input.robot_radius);
   /* The unknown grows too, unless it is free. */
-  write_map(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 204\n", MISSION("robot_radius: 0.75\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 204\n", MISSION("robot_radius: 0.75\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("111###|");
-  write_map(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 204\n",
-            MISSION("robot_radius: 0.75\nunknown: free\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 204\n",
+                       MISSION("robot_radius: 0.75\nunknown: free\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("111111|");
 }
 
 static void test_growth_comes_before_coarsening(void) {
-  write_map(YAML("negate: 0\n"), "P2 8 2 255\n255 255 255 255 255 255 0 255\n255 255 255 255 255 255 255 255\n",
-            MISSION("robot_radius: 0.25\ncell_size: 1\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"),
+                       "P2 8 2 255\n255 255 255 255 255 255 0 255\n255 255 255 255 255 255 255 255\n",
+                       MISSION("robot_radius: 0.25\ncell_size: 1\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("11##|");
   TEST_ASSERT_EQUAL_DOUBLE(1.0, scratch_input.frame.cell_size);
 }
 
 static void test_cell_size_of_the_command_line_wins(void) {
-  write_map(YAML("negate: 0\n"), "P2 6 2 255\n255 255 255 255 0 255\n255 255 255 255 255 255\n",
-            MISSION("cell_size: 1\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 6 2 255\n255 255 255 255 0 255\n255 255 255 255 255 255\n",
+                       MISSION("cell_size: 1\n"));
   scratch_options.cell_size = 0.5;
   scratch_read("mission.yaml");
   scratch_expect_cells("1111#1|111111|");
 }
 
 static void test_other_tools_keys_are_ignored(void) {
-  write_map(YAML("negate: 0\nfloor: ground\ncost: [1, 2]\n"), "P2 2 1 255\n255 255\n", MISSION(""));
+  scratch_write_rosmap(YAML("negate: 0\nfloor: ground\ncost: [1, 2]\n"), "P2 2 1 255\n255 255\n", MISSION(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("11|");
 }
 
 static void test_a_map_alone_is_refused_with_how_to_write_a_mission(void) {
-  write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", "");
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", "");
   scratch_refuse("m.yaml", "m.yaml", "without robots and places", "map: m.yaml");
   scratch_write("m.pgm", "P2 2 1 255\n255");
   scratch_refuse("m.yaml", "m.pgm", "is cut off", "copy the file anew");
@@ -162,7 +157,7 @@ static void test_a_map_alone_is_refused_with_how_to_write_a_mission(void) {
 
 /* What is proposed is a mission that is read. */
 static void test_the_mission_that_is_proposed_for_a_map_is_sound(void) {
-  write_map(YAML("negate: 0\n"), "P2 4 3 255\n0 0 0 0 0 255 255 0 255 0 0 255\n", "");
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 4 3 255\n0 0 0 0 0 255 255 0 255 0 0 255\n", "");
   scratch_refuse("m.yaml", "m.yaml", "map: m.yaml", "a line each");
   char mission[600] = "", *to = mission;
   for (const char *from = strchr(scratch_fault.text, '"'); from != NULL; from = strchr(from, '"')) {
@@ -178,7 +173,7 @@ static void test_the_mission_that_is_proposed_for_a_map_is_sound(void) {
 
 /* A map YAML that lacks or spoils one line. */
 static void refuse_yaml(const char *yaml, const char *where, const char *what, const char *mend) {
-  write_map(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
+  scratch_write_rosmap(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
   scratch_refuse("mission.yaml", where, what, mend);
 }
 
@@ -227,7 +222,7 @@ static void test_wrong_values(void) {
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     char yaml[300];
     snprintf(yaml, sizeof yaml, "%s%s", wrong[i][0], rest);
-    write_map(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
+    scratch_write_rosmap(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
     TEST_ASSERT_EQUAL_INT(-1,
                           input_read(&scratch_input, scratch_path("mission.yaml"), &scratch_options, &scratch_fault));
     scratch_expect_text("/m.yaml:");
@@ -239,7 +234,7 @@ static void test_wrong_values(void) {
 static void test_faults_of_the_image(void) {
   refuse_yaml("image: other.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
               "other.pgm", "no such file", "m.yaml:1)");
-  write_map(YAML("negate: 0\n"), "GIF89a", MISSION(""));
+  scratch_write_rosmap(YAML("negate: 0\n"), "GIF89a", MISSION(""));
   scratch_refuse("mission.yaml", "m.pgm", "not a PGM, PNG or BMP", "convert");
 }
 
@@ -262,7 +257,7 @@ static void expect_no_note(const char *what) {
 #define FAR_ENDS(more) "map: m.yaml\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 3, row: 0}]\n" more
 
 static void test_unknown_grey_that_the_thresholds_make_free_is_told(void) {
-  write_map(SAVED("negate: 0\n"), GREYS, FAR_ENDS(""));
+  scratch_write_rosmap(SAVED("negate: 0\n"), GREYS, FAR_ENDS(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("1111#|");
   expect_note("2 cells of the image are unknown-grey (205) and free by its free_thresh of 0.25");
@@ -270,17 +265,17 @@ static void test_unknown_grey_that_the_thresholds_make_free_is_told(void) {
 }
 
 static void test_unknown_blocked_written_out_closes_the_grey(void) {
-  write_map(SAVED("negate: 0\n"), GREYS, FAR_ENDS("unknown: blocked\n"));
+  scratch_write_rosmap(SAVED("negate: 0\n"), GREYS, FAR_ENDS("unknown: blocked\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("1##1#|");
   expect_no_note("unknown-grey");
-  write_map(SAVED("negate: 0\nmode: scale\n"), GREYS, FAR_ENDS("unknown: blocked\n"));
+  scratch_write_rosmap(SAVED("negate: 0\nmode: scale\n"), GREYS, FAR_ENDS("unknown: blocked\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("1##1#|");
 }
 
 static void test_unknown_free_written_out_is_not_told(void) {
-  write_map(SAVED("negate: 0\n"), GREYS, FAR_ENDS("unknown: free\n"));
+  scratch_write_rosmap(SAVED("negate: 0\n"), GREYS, FAR_ENDS("unknown: free\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("1111#|");
   expect_no_note("unknown-grey");
@@ -288,32 +283,33 @@ static void test_unknown_free_written_out_is_not_told(void) {
 
 static void test_the_grey_in_other_modes_and_maxima(void) {
   /* scale: the same rule; negate: the grey is seen as its negative, 50; raw: 205 is unknown whatever the thresholds. */
-  write_map(SAVED("negate: 0\nmode: scale\n"), GREYS, FAR_ENDS(""));
+  scratch_write_rosmap(SAVED("negate: 0\nmode: scale\n"), GREYS, FAR_ENDS(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("1111#|");
   expect_note("2 cells of the image are unknown-grey");
-  write_map(SAVED("negate: 1\n"), "P2 5 1 255\n1 50 50 1 255\n", FAR_ENDS(""));
+  scratch_write_rosmap(SAVED("negate: 1\n"), "P2 5 1 255\n1 50 50 1 255\n", FAR_ENDS(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("1111#|");
   expect_note("2 cells of the image are unknown-grey");
-  write_map(SAVED("negate: 1\n"), "P2 5 1 255\n1 50 205 1 255\n", FAR_ENDS("unknown: blocked\n"));
+  scratch_write_rosmap(SAVED("negate: 1\n"), "P2 5 1 255\n1 50 205 1 255\n", FAR_ENDS("unknown: blocked\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("1##1#|");
-  write_map(SAVED("negate: 0\nmode: raw\n"), "P2 5 1 255\n0 205 205 0 100\n", FAR_ENDS(""));
+  scratch_write_rosmap(SAVED("negate: 0\nmode: raw\n"), "P2 5 1 255\n0 205 205 0 100\n", FAR_ENDS(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("1##1#|");
   expect_no_note("unknown-grey");
-  write_map(SAVED("negate: 0\n"), "P2 5 1 65535\n65278 52685 52684 65278 0\n", FAR_ENDS(""));
+  scratch_write_rosmap(SAVED("negate: 0\n"), "P2 5 1 65535\n65278 52685 52684 65278 0\n", FAR_ENDS(""));
   scratch_read("mission.yaml");
   expect_note("1 cell of the image is unknown-grey");
-  write_map(SAVED("negate: 0\n"), "P2 5 1 100\n100 80 81 100 0\n", FAR_ENDS(""));
+  scratch_write_rosmap(SAVED("negate: 0\n"), "P2 5 1 100\n100 80 81 100 0\n", FAR_ENDS(""));
   scratch_read("mission.yaml");
   expect_no_note("unknown-grey"); /* no sample of 100 is 205 of 255 */
 }
 
 static void test_thresholds_that_see_the_grey_need_no_note(void) {
-  write_map("image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.196\nnegate: 0\n",
-            GREYS, FAR_ENDS(""));
+  scratch_write_rosmap(
+      "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.196\nnegate: 0\n",
+      GREYS, FAR_ENDS(""));
   scratch_read("mission.yaml");
   scratch_expect_cells("1##1#|");
   expect_no_note("unknown-grey");
@@ -322,25 +318,25 @@ static void test_thresholds_that_see_the_grey_need_no_note(void) {
 /* ---- other notes and mends ---- */
 
 static void test_robots_without_a_size_are_told_to_be_points(void) {
-  write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION(""));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION(""));
   scratch_read("mission.yaml");
   expect_note("robots are points, and cells the map's pixels of 0.5 m");
   static const char *const given[] = {MISSION("robot_radius: 0\n"), MISSION("cell_size: 0.5\n"),
                                       MISSION("robot_radius: 0.1\n")};
   for (size_t i = 0; i < sizeof given / sizeof *given; i++) {
-    write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", given[i]);
+    scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", given[i]);
     scratch_read("mission.yaml");
     expect_no_note("points");
   }
 }
 
 static void test_where_nothing_is_left_free_its_reason_is_named(void) {
-  write_map(YAML("negate: 0\n"), "P2 3 1 255\n255 0 255\n", MISSION("cell_size: 1\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 3 1 255\n255 0 255\n", MISSION("cell_size: 1\n"));
   scratch_refuse("mission.yaml", "mission.yaml", "no cell is left free: cells of 1 m are larger than the free space",
                  "pixels are 0.5 m");
-  write_map(YAML("negate: 0\n"), "P2 3 1 255\n255 0 255\n", MISSION("robot_radius: 2\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 3 1 255\n255 0 255\n", MISSION("robot_radius: 2\n"));
   scratch_refuse("mission.yaml", "mission.yaml", "the robot_radius of 2 m is larger than the free space", "smaller");
-  write_map(YAML("negate: 0\n"), "P2 3 1 255\n0 0 0\n", MISSION(""));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 3 1 255\n0 0 0\n", MISSION(""));
   scratch_refuse("mission.yaml", "m.pgm", "no pixel is free by the thresholds of", "negate");
 }
 
@@ -351,13 +347,13 @@ static void test_a_proposed_threshold_fits_the_other(void) {
   for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
     char yaml[400], line[64];
     snprintf(yaml, sizeof yaml, "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\n%s\n", other[i]);
-    write_map(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
+    scratch_write_rosmap(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
     scratch_refuse("mission.yaml", "m.yaml:1", "lacks the key", "_thresh: ");
     const char *from = strstr(scratch_fault.text, "add \"");
     TEST_ASSERT_NOT_NULL(from);
     snprintf(line, sizeof line, "%.*s\n", (int)strcspn(from + 5, "\""), from + 5);
     strcat(yaml, line);
-    write_map(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
+    scratch_write_rosmap(yaml, "P2 2 1 255\n255 255\n", MISSION(""));
     if (input_read(&scratch_input, scratch_path("mission.yaml"), &scratch_options, &scratch_fault) != 0)
       TEST_ASSERT_NULL_MESSAGE(strstr(scratch_fault.text, "above 'occupied_thresh'"), scratch_fault.text);
   }
@@ -390,9 +386,9 @@ static void test_the_smallest_cell_size_that_fits_does(void) {
 }
 
 static void test_more_cells_than_the_build_holds(void) {
-  write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 0.0005\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 0.0005\n"));
   scratch_refuse("mission.yaml", "m.yaml", "2000 x 1000 cells are more than 1048576", "QTR_MAX_CELLS");
-  write_map(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 1e-300\n"));
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 1e-300\n"));
   scratch_refuse("mission.yaml", "m.yaml", "cells: at most 65535", "larger cells");
 }
 

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "host/input/frame.h"
+#include "support/random.h"
 #include "support/reader_scratch.h"
 
 /* Column 0 to 6, rows 0 to 4; a wall with a gap, and a pocket of a cell that nobody gets to. */
@@ -169,15 +170,15 @@ static void test_metres_are_answered_in_metres(void) {
 #define SIDE 12
 
 /* A random area and four places in it, stated in cells. Returns how many are on obstacles. */
-static int write_crowd(unsigned *state) {
+static int write_crowd(test_random *random) {
   char area[SIDE * (SIDE + 1) + 1], mission[1024] = "map: b.txt\nrobots: [{column: 0, row: 0}]\nplaces:\n";
   int bad = 0;
   for (int i = 0; i < SIDE * (SIDE + 1); i++)
-    area[i] = i % (SIDE + 1) == SIDE ? '\n' : scratch_random(state) % 3 == 0 ? '.' : '#';
+    area[i] = i % (SIDE + 1) == SIDE ? '\n' : random_below(random, 3) == 0 ? '.' : '#';
   area[0] = area[1] = area[2] = area[3] = area[SIDE + 1] = '.';
   area[SIDE * (SIDE + 1)] = '\0';
   for (unsigned i = 0; i < 4; i++) {
-    const unsigned column = i * 3 + scratch_random(state) % 3, row = scratch_random(state) % SIDE;
+    const unsigned column = i * 3 + random_below(random, 3), row = random_below(random, SIDE);
     bad += area[row * (SIDE + 1) + column] == '#';
     snprintf(mission + strlen(mission), sizeof mission - strlen(mission), "  - {column: %u, row: %u}\n", column, row);
   }
@@ -188,13 +189,12 @@ static int write_crowd(unsigned *state) {
 
 /* Every place of a random crowd is told, and each is moved to a free cell of its own. */
 static void test_random_crowds(void) {
-  unsigned state = 777;
-  printf("seed %u\n", state);
-  for (int trial = 0; trial < 100; trial++) {
-    const int bad = write_crowd(&state);
+  for (unsigned trial = 0; trial < 100; trial++) {
+    test_random random = random_case("crowd", trial);
+    const int bad = write_crowd(&random);
     scratch_options.snap = 0.0;
     const int result = input_read(&scratch_input, scratch_path("m.yaml"), &scratch_options, &scratch_fault);
-    TEST_ASSERT_EQUAL_INT(bad > 0 ? -1 : 0, result);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(bad > 0 ? -1 : 0, result, case_note);
     if (bad > 0) TEST_ASSERT_EQUAL_INT_MESSAGE(bad == 1 ? 1 : bad + 1, lines_of_fault(), scratch_fault.text);
     scratch_options.snap = 20.0;
     scratch_read("m.yaml");

@@ -1,5 +1,6 @@
 /* ROS maps whose origin has a yaw: positions in metres are turned into the grid of the image. */
 #include "host/input/frame.h"
+#include "support/random.h"
 #include "support/reader_scratch.h"
 
 void setUp(void) {
@@ -10,19 +11,13 @@ void tearDown(void) {
   scratch_close();
 }
 
-static void write_map(const char *yaml, const char *pgm, const char *mission) {
-  scratch_write("m.yaml", yaml);
-  scratch_write("m.pgm", pgm);
-  scratch_write("mission.yaml", mission);
-}
-
 #define TURNED(yaw)                                                                                                    \
   "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, " yaw "]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n"
 #define WIDE "P2 4 2 255\n255 255 255 255\n255 255 255 255\n" /* row 0 on top: cells 0 to 3, then 4 to 7 */
 
 /* Where a robot and a place, both in metres, come to stand. */
 static void expect_turned(const char *yaw_map, const char *sites, int start, int place) {
-  write_map(yaw_map, WIDE, sites);
+  scratch_write_rosmap(yaw_map, WIDE, sites);
   scratch_read("mission.yaml");
   TEST_ASSERT_EQUAL_INT(start, scratch_input.mission.start[0]);
   TEST_ASSERT_EQUAL_INT(place, scratch_input.mission.place[0]);
@@ -65,25 +60,26 @@ static void test_a_whole_turn_is_none(void) {
 }
 
 static void test_who_is_outside_a_turned_map_is_told_its_corners(void) {
-  write_map(TURNED("1.5707963267948966"), WIDE, "map: m.yaml\nrobots: [{x: 5, y: 2}]\nplaces: [{column: 0, row: 0}]\n");
+  scratch_write_rosmap(TURNED("1.5707963267948966"), WIDE,
+                       "map: m.yaml\nrobots: [{x: 5, y: 2}]\nplaces: [{column: 0, row: 0}]\n");
   scratch_refuse("mission.yaml", "mission.yaml:2", "corners are (-1, 2), (-1, 4), (-2, 4) and (-2, 2)", "nearest is");
 }
 
 /* Out to metres and back, for every cell and any turn. */
 static void test_middles_of_cells_come_back_whatever_the_turn(void) {
-  unsigned state = 20260501;
-  printf("seed %u\n", state);
-  for (int trial = 0; trial < 200; trial++) {
+  for (unsigned trial = 0; trial < 200; trial++) {
+    test_random random = random_case("turn", trial);
     char yaml[300];
-    const double yaw = scratch_random(&state) % 20000 / 1000.0 - 10.0, x = scratch_random(&state) % 1000 - 500.0;
+    const double yaw = random_below(&random, 20000) / 1000.0 - 10.0, x = random_below(&random, 1000) - 500.0;
     snprintf(yaml, sizeof yaml,
              "image: m.pgm\nresolution: 0.05\norigin: [%.3f, %.3f, %.5f]\nnegate: 0\noccupied_thresh: 0.6\n"
              "free_thresh: 0.2\n",
              x, -2.0 * x, yaw);
-    write_map(yaml, WIDE, "map: m.yaml\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 0}]\n");
+    scratch_write_rosmap(yaml, WIDE, "map: m.yaml\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 0}]\n");
     scratch_read("mission.yaml");
     for (qtr_cell cell = 0; cell < 8; cell++)
-      TEST_ASSERT_EQUAL_UINT32(cell, frame_cell(&scratch_input, frame_centre(&scratch_input, cell, true)));
+      TEST_ASSERT_EQUAL_UINT32_MESSAGE(cell, frame_cell(&scratch_input, frame_centre(&scratch_input, cell, true)),
+                                       case_note);
   }
 }
 

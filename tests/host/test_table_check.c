@@ -9,7 +9,6 @@
 #define FORGED QUARTER_SOURCE_DIR "/tests/data/forged/"
 
 static qtr_policy policy;
-static uint8_t copy[TABLE_MOST];
 static tool_result result;
 static fault why;
 
@@ -20,15 +19,10 @@ void setUp(void) {
 void tearDown(void) {
 }
 
-static void take(void) {
-  table_open(&policy);
-  memcpy(copy, table_bytes, table_size);
-}
-
-/* Sealed, the copy opens as a robot opens it; what the host says of it. */
+/* Sealed, the table_copy opens as a robot opens it; what the host says of it. */
 static int check_copy(void) {
   why.text[0] = '\0';
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, table_forge(&policy, copy, table_size), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, table_forge(&policy, table_copy, table_size), case_note);
   return table_check(&policy, "forged.qtr", &why);
 }
 
@@ -37,7 +31,7 @@ static void expect_refused(const char *says) {
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(why.text, says), why.text);
   TEST_ASSERT_EQUAL_STRING_LEN("forged.qtr: ", why.text, 12);
   TEST_ASSERT_NULL(strchr(why.text, '\n'));
-  take();
+  table_take(&policy);
 }
 
 static uint32_t steps_at(unsigned node, unsigned place) {
@@ -52,7 +46,7 @@ static void test_every_exported_table_is_true_of_its_map(void) {
     mission_random(&table_mission, &random, (mission_size){14, 12, 10, 5});
     table_learn(number % 4 == 3 ? 200 : number % 4);
     table_export();
-    take();
+    table_take(&policy);
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, table_check(&policy, case_note, &why), why.text);
   }
 }
@@ -63,17 +57,17 @@ static void test_travel_time_that_the_map_does_not_give_is_refused(void) {
   for (unsigned number = 0; number < 60; number++) {
     test_random random = random_case("times", number);
     table_random(&random, (mission_size){9, 7, 5, 3});
-    take();
+    table_take(&policy);
     for (unsigned node = 0; node < (unsigned)policy.board.places + policy.board.starts; node++) {
       for (unsigned place = 0; place < policy.board.places; place++) {
         const qtr_steps steps = qtr_board_steps(&policy.board, QTR_ANY_SEEKER, node, place);
         const qtr_steps wrong = random_chance(&random, 60) ? steps + 1 : steps - 1;
-        store32_le(copy + steps_at(node, place), wrong);
-        if (table_forge(&policy, copy, table_size) == QTR_OK) {
+        store32_le(table_copy + steps_at(node, place), wrong);
+        if (table_forge(&policy, table_copy, table_size) == QTR_OK) {
           TEST_ASSERT_EQUAL_INT_MESSAGE(-1, table_check(&policy, case_note, &why), case_note);
           opened++;
         }
-        take();
+        table_take(&policy);
       }
     }
   }
@@ -82,22 +76,22 @@ static void test_travel_time_that_the_map_does_not_give_is_refused(void) {
 
 static void test_fault_names_the_way(void) {
   table_draw("1..S..2", 1);
-  take();
-  store32_le(copy + steps_at(0, 1), 5);
+  table_take(&policy);
+  store32_le(table_copy + steps_at(0, 1), 5);
   expect_refused("from place 0 to place 1 it says 5 steps, the map gives 6 steps");
-  store32_le(copy + steps_at(2, 0), 4);
+  store32_le(table_copy + steps_at(2, 0), 4);
   expect_refused("from start 0 to place 0 it says 4 steps, the map gives 3 steps");
 }
 
 /* A wall across the corridor, and one taken away. */
 static void test_reach_that_the_map_does_not_give_is_refused(void) {
   table_draw("1..S..2", 1);
-  take();
-  copy[table_size - 1] = 0x7F & ~0x10;
+  table_take(&policy);
+  table_copy[table_size - 1] = 0x7F & ~0x10;
   expect_refused("the map gives no way");
   table_draw("1S.#.S2", 0);
-  take();
-  copy[table_size - 1] = 0x7F;
+  table_take(&policy);
+  table_copy[table_size - 1] = 0x7F;
   expect_refused("it says no way");
 }
 
@@ -106,7 +100,7 @@ static void test_reach_that_the_map_does_not_give_is_refused(void) {
 static void set_double(uint32_t offset, double value) {
   uint64_t bits;
   memcpy(&bits, &value, sizeof bits);
-  store64_le(copy + offset, bits);
+  store64_le(table_copy + offset, bits);
 }
 
 static double get_double(uint32_t offset) {
@@ -122,7 +116,7 @@ static void test_gap_that_is_not_between_value_and_bound_is_refused(void) {
     table_mission.aim.kind = objective;
     table_learn(1000);
     table_export();
-    take();
+    table_take(&policy);
     const double reached = get_double(objective == 1 ? QTR_POLICY_TIME : QTR_POLICY_VALUE);
     set_double(QTR_POLICY_BOUND, reached * (objective == 1 ? 0.75 : 1.25));
     set_double(QTR_POLICY_GAP, 0.2);
@@ -135,7 +129,7 @@ static void test_gap_that_is_not_between_value_and_bound_is_refused(void) {
 
 static void test_value_that_the_routes_do_not_earn_is_refused(void) {
   table_draw("1..S..2/.#~..1./3.....S", 0);
-  take();
+  table_take(&policy);
   const double value = get_double(QTR_POLICY_VALUE);
   set_double(QTR_POLICY_VALUE, value * 1.00001);
   set_double(QTR_POLICY_BOUND, value * 1.00001);
@@ -155,19 +149,19 @@ static void learn_any_start(const char *drawing) {
   TEST_ASSERT_NOT_NULL(file);
   table_size = (uint32_t)fread(table_bytes, 1, sizeof table_bytes, file);
   fclose(file);
-  take();
+  table_take(&policy);
   TEST_ASSERT_NOT_NULL(policy.regions);
 }
 
 static void test_region_on_both_sides_of_a_wall_is_refused(void) {
   learn_any_start("1..S#..\n....#..\n....#S2\n");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, check_copy(), why.text);
-  take();
+  table_take(&policy);
   const uint32_t regions = (uint32_t)(policy.regions - policy.bytes);
   unsigned cell = 5; /* the right of the wall, but no region's start */
   for (unsigned s = 0; s < policy.board.starts; s++)
     if (qtr_policy_cell(&policy, policy.board.places + s) == cell) cell = 6;
-  memcpy(copy + regions + 2 * cell, copy + regions, 2);
+  memcpy(table_copy + regions + 2 * cell, table_copy + regions, 2);
   expect_refused("cut off from its region");
 }
 

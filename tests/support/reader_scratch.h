@@ -97,12 +97,11 @@ static inline void scratch_expect_cells(const char *wanted) {
   TEST_ASSERT_EQUAL_STRING(wanted, drawn);
 }
 
-/* A small generator of random numbers, the same everywhere (Marsaglia's xorshift). */
-static inline unsigned scratch_random(unsigned *state) {
-  *state ^= *state << 13;
-  *state ^= *state >> 17;
-  *state ^= *state << 5;
-  return *state;
+/* A ROS map, its image, and a mission on it. */
+static inline void scratch_write_rosmap(const char *yaml, const char *pgm, const char *mission) {
+  scratch_write("m.yaml", yaml);
+  scratch_write("m.pgm", pgm);
+  scratch_write("mission.yaml", mission);
 }
 
 #endif

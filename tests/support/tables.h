@@ -24,6 +24,7 @@ static qtr_environment table_ground;
 static qtr_learner table_learner;
 static uint8_t table_bytes[TABLE_MOST];
 static uint32_t table_size;
+static uint8_t table_copy[TABLE_MOST]; /* to be changed */
 
 /* Learn `table_mission` for at most so many steps. */
 static inline void table_learn(unsigned steps) {
@@ -47,6 +48,12 @@ static inline void table_export(void) {
 static inline void table_open(qtr_policy *policy) {
   memset(policy, 0xA5, sizeof *policy);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_policy_open(policy, table_bytes, table_size), case_note);
+}
+
+/* Open the table, and take a copy of it. */
+static inline void table_take(qtr_policy *policy) {
+  table_open(policy);
+  memcpy(table_copy, table_bytes, table_size);
 }
 
 /* The table of a random mission. */
