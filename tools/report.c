@@ -104,14 +104,22 @@ void report_routes(FILE *out, const table_route *route, int seekers) {
 #define OPTIMAL 1e-5 /* the gap up to which a certified plan is told as optimal: --gap's default */
 
 /* "expected time 12.5 steps" */
-static void write_figure(FILE *out, uint8_t objective, const qtr_certificate *c) {
+static void write_figure(FILE *out, uint8_t objective, double figure) {
   const qtr_objective_words *words = qtr_objective_in_words(objective);
-  const qtr_score score = {.value = c->value, .expected_time = c->expected_time};
-  const double figure = qtr_objective_figure(objective, qtr_objective_of_score(objective, &score));
   if (words->unit != NULL)
     fprintf(out, "%s %s", words->figure, measured(figure, words->unit).text);
   else
     fprintf(out, "%s %.6g", words->figure, figure);
+}
+
+/* The objective's figure and its bound, and another one beside it. */
+static void write_figures(FILE *out, uint8_t objective, const qtr_certificate *c) {
+  const uint8_t beside = qtr_objective_in_words(objective)->beside;
+  const qtr_score score = {.value = c->value, .expected_time = c->expected_time};
+  write_figure(out, objective, c->objective);
+  fprintf(out, ", bound %.6g (", c->bound);
+  write_figure(out, beside, qtr_objective_figure(beside, qtr_objective_of_score(beside, &score)));
+  fputs(")\n", out);
 }
 
 static void write_verdict(FILE *out, const report *r) {
@@ -126,10 +134,7 @@ static void write_verdict(FILE *out, const report *r) {
   else
     fprintf(out, "not certified: at most %.3g%% from the optimum when it ended (%s)", 100.0 * c->gap, r->ended);
   fputs("; ", out);
-  write_figure(out, objective, c);
-  fprintf(out, ", bound %.6g (", c->bound);
-  write_figure(out, qtr_objective_in_words(objective)->beside, c);
-  fputs(")\n", out);
+  write_figures(out, objective, c);
 }
 
 /* What the certificate does not cover, for it is lost in the sum. */
