@@ -39,21 +39,21 @@ static bool learn_rest(void) {
   qtr_learner_config config;
   qtr_learner_config_default(&config);
   if (qtr_rest_game(&table_game, &table_mission, &table_field) != QTR_OK) return false;
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&table_ground, &table_game, NULL, &table_field));
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_learner_init(&table_learner, &table_ground, NULL, &config));
-  while (qtr_learner_step(&table_learner) == QTR_LEARNING) {}
+  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&table_ground, &table_game, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, learner_init(&table_learner, table_ground, NULL, &config));
+  while (qtr_learner_step(table_learner) == QTR_LEARNING) {}
   return true;
 }
 
 static void take_routes(qtr_routes *routes) {
-  qtr_play_to_routes(&table_learner.best, &table_game, routes);
+  qtr_play_to_routes(&table_learner->best, &table_game, routes);
 }
 
 static void learn_own(void) {
   table_mission = mission;
   TEST_ASSERT_TRUE(learn_rest());
   take_routes(&own_routes);
-  qtr_learner_certificate(&table_learner, &own_certificate);
+  qtr_learner_certificate(table_learner, &own_certificate);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&game, &mission, &table_field, NULL));
 }
 
@@ -357,7 +357,7 @@ static void try_all(qtr_start_trials *trials) {
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_start_trials_begin(trials, 1));
   table_mission = mission;
   while (qtr_start_trials_next(trials, &policy, &mission, &table_mission))
-    if (learn_rest()) qtr_start_trials_add(trials, &policy, &table_game, table_learner.best.score.worth);
+    if (learn_rest()) qtr_start_trials_add(trials, &policy, &table_game, table_learner->best.score.worth);
 }
 
 static void test_where_each_cell_is_a_region_nothing_is_lost(void) {

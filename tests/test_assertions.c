@@ -243,7 +243,7 @@ static void make_any_start(void) {
   const qtr_any_start_asked asked = {&table_game, NULL, true};
   const qtr_any_start_blocks blocks = {steps, start, NULL, entries, sizeof entries};
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_any_start_init(&any, &asked, &blocks, &table_field));
-  qtr_play_to_routes(&table_learner.best, &table_game, &routes);
+  qtr_play_to_routes(&table_learner->best, &table_game, &routes);
 }
 
 static void add_no_game(void) {

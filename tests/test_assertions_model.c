@@ -13,7 +13,7 @@
 static qtr_regions regions;
 static qtr_regions_scratch scratch;
 static qtr_regions_config limits;
-static qtr_environment seen; /* the ground by regions */
+static qtr_environment *seen; /* the ground by regions */
 static qtr_situation situation;
 static qtr_outcome outcome;
 
@@ -25,7 +25,7 @@ void setUp(void) {
   limits = region_limits(3, 5);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &limits, &scratch));
   const qtr_aggregation how = aggregation_of(NULL, &regions);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&seen, &table_game, &how, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, aggregate_init(&seen, &table_game, &how, &table_field));
 }
 
 void tearDown(void) {
@@ -85,11 +85,11 @@ static void find_what_is_not_left(void) {
 }
 
 static void find_on_the_ground_what_is_not_left(void) {
-  qtr_environment_start(&table_ground, &situation);
+  qtr_environment_start(table_ground, &situation);
   situation.unvisited = 0.0;
-  qtr_environment_choose(&table_ground, &situation, 0, 0);
-  qtr_environment_choose(&table_ground, &situation, 1, 1);
-  qtr_environment_pass(&table_ground, &situation, &outcome);
+  qtr_environment_choose(table_ground, &situation, 0, 0);
+  qtr_environment_choose(table_ground, &situation, 1, 1);
+  qtr_environment_pass(table_ground, &situation, &outcome);
 }
 
 static void believe_in_nothing(void) {
@@ -121,7 +121,7 @@ static void test_likelihoods(void) {
 /* ---- targets, and what is seen of the way to them ---- */
 
 static void begin_a_tour_elsewhere(void) {
-  qtr_targets *targets = &table_ground.targets;
+  qtr_targets *targets = &table_ground->targets;
   targets->first[3 * targets->count + 0] = 1;
   qtr_targets_duration(targets, QTR_ANY_SEEKER, 3, 0);
 }
@@ -137,18 +137,18 @@ static void tour_a_place_twice(void) {
 static void walk_through_walls(void) {
   qtr_walk walk = qtr_walk_at(table_mission.start[0]);
   memset(table_mission.cost, 0, qtr_mission_cells(&table_mission));
-  qtr_sight_walk(&seen.sight, &walk, qtr_targets_tour(&seen.targets, 0), 2);
+  qtr_sight_walk(&seen->sight, &walk, qtr_targets_tour(&seen->targets, 0), 2);
 }
 
 static void walk_beyond_the_tour(void) {
   qtr_walk walk = qtr_walk_at(table_mission.start[0]);
   walk.stage = 1;
-  qtr_sight_left(&seen.sight, &walk, qtr_targets_tour(&seen.targets, 0), 3);
+  qtr_sight_left(&seen->sight, &walk, qtr_targets_tour(&seen->targets, 0), 3);
 }
 
 static void stand_in_a_wall(void) {
   const qtr_walk walk = qtr_walk_at(11);
-  qtr_sight_digit(&seen.sight, &walk, true);
+  qtr_sight_digit(&seen->sight, &walk, true);
 }
 
 static void test_targets_and_sight(void) {

@@ -8,10 +8,9 @@
 #include "support/settings.h"
 #include "support/tables.h"
 
-static qtr_learner *const learner = &table_learner;
 static qtr_regions regions;
 static qtr_regions_scratch scratch;
-static qtr_environment seen; /* an aggregate of the ground */
+static qtr_environment *seen; /* an aggregate of the ground */
 static qtr_situation situation;
 static qtr_routes routes;
 static qtr_play play;
@@ -20,9 +19,9 @@ static qtr_play play;
 void setUp(void) {
   snprintf(case_note, sizeof case_note, "by hand");
   table_draw("1..S..2/..~...3", 2);
-  play = learner->best;
+  play = table_learner->best;
   qtr_play_to_routes(&play, &table_game, &routes);
-  qtr_environment_start(&table_ground, &situation);
+  qtr_environment_start(table_ground, &situation);
 }
 
 void tearDown(void) {
@@ -31,12 +30,12 @@ void tearDown(void) {
 /* ---- the bound ---- */
 
 static void begin_bound(const qtr_environment *environment) {
-  qtr_bound_init(&learner->bound, environment, play.visit);
+  qtr_bound_init(&table_learner->bound, table_learner->bound.gain, environment, play.visit);
 }
 
 static void bound_a_place_in_two_targets(void) {
-  table_ground.targets.spots.spot_of[0] = 1;
-  begin_bound(&table_ground);
+  table_ground->targets.spots.spot_of[0] = 1;
+  begin_bound(table_ground);
 }
 
 static void bound_estimates(void) {
@@ -45,23 +44,23 @@ static void bound_estimates(void) {
   const qtr_aggregation how = aggregation_of(NULL, &regions);
   qtr_regions_default(&limits);
   qtr_regions_build(&regions, &grid, &limits, &scratch);
-  qtr_environment_init(&seen, &table_game, &how, &table_field);
-  begin_bound(&seen);
+  aggregate_init(&seen, &table_game, &how, &table_field);
+  begin_bound(seen);
 }
 
 static void bound_ways_without_time(void) {
   store32_le(table_game.steps + 4 * 1, 0); /* from place 0 to place 1 */
-  begin_bound(&table_ground);
+  begin_bound(table_ground);
 }
 
 static void bound_walks_that_stand_still(void) {
-  learner->bound.slots_apart[1] = 0;
-  qtr_bound_improve(&learner->bound, 0.0);
+  table_learner->bound.slots_apart[1] = 0;
+  qtr_bound_improve(&table_learner->bound, 0.0);
 }
 
 static void pay_for_leaving_out(void) {
-  learner->bound.trial[0] = -1.0;
-  qtr_bound_improve(&learner->bound, 0.0);
+  table_learner->bound.trial[0] = -1.0;
+  qtr_bound_improve(&table_learner->bound, 0.0);
 }
 
 static void test_bound(void) {
@@ -74,7 +73,9 @@ static void test_bound(void) {
 
 /* ---- the Q-table ---- */
 
+enum { TABLE_WORDS = 8192 };
 static qtr_qtable table;
+static uint32_t words[TABLE_WORDS];
 
 /* Keys 0, 1, 2 ... up to where the next one makes the table grow. */
 static void fill_table(void) {
@@ -82,7 +83,7 @@ static void fill_table(void) {
   qtr_key key = {{0}};
   qtr_key_measure(&shape);
   TEST_ASSERT_EQUAL(1, shape.words);
-  qtr_qtable_init(&table, &shape, false);
+  qtr_qtable_init(&table, words, TABLE_WORDS, &shape, false);
   for (; table.entries < table.slots / 8 * 7; key.word[0]++) qtr_qtable_set(&table, &key, 1.0);
 }
 
@@ -155,7 +156,7 @@ static void play_a_place_twice(void) {
 
 static void refine_a_place_twice(void) {
   share_a_place();
-  qtr_refine(&learner->refinery, &routes, &table_game, 0, 1);
+  qtr_refine(&table_learner->refinery, &routes, &table_game, 0, 1);
 }
 
 static bool halve_the_likelihoods(void *context) {
@@ -166,7 +167,7 @@ static bool halve_the_likelihoods(void *context) {
 
 static void lose_by_refining(void) {
   table_mission.watch.go_on = halve_the_likelihoods;
-  qtr_refine(&learner->refinery, &routes, &table_game, 0, 1);
+  qtr_refine(&table_learner->refinery, &routes, &table_game, 0, 1);
 }
 
 static void test_plays_and_routes(void) {
@@ -180,14 +181,14 @@ static void test_plays_and_routes(void) {
 /* ---- episodes ---- */
 
 static void list_for_who_is_on_the_way(void) {
-  qtr_environment_choose(&table_ground, &situation, 0, 0);
-  qtr_episode_list(learner, &situation, 0);
+  qtr_environment_choose(table_ground, &situation, 0, 0);
+  qtr_episode_list(table_learner, &situation, 0);
 }
 
 static void note_more_than_a_game(void) {
-  qtr_episode_list(learner, &situation, 0);
-  learner->play.choices = QTR_MAX_CHOICES;
-  qtr_episode_note(learner, 0);
+  qtr_episode_list(table_learner, &situation, 0);
+  table_learner->play.choices = QTR_MAX_CHOICES;
+  qtr_episode_note(table_learner, 0);
 }
 
 static void back_up_more_than_there_is(void) {
@@ -197,8 +198,8 @@ static void back_up_more_than_there_is(void) {
 
 static void beat_the_bound(void) {
   qtr_certificate certificate;
-  learner->best.score.worth += 1.0;
-  qtr_learner_certificate(learner, &certificate);
+  table_learner->best.score.worth += 1.0;
+  qtr_learner_certificate(table_learner, &certificate);
 }
 
 static void test_episodes(void) {
@@ -212,12 +213,13 @@ static void test_episodes(void) {
 
 /* As if a poor game were the best one known: the episode is played to its end. */
 static void learn(bool (*spoil)(void *)) {
-  qtr_qtable_init(&learner->table, &learner->environment->keys, false);
-  learner->phase = QTR_PHASE_EPISODES;
-  learner->upper = learner->ground_upper = 1000.0;
-  learner->best.score.worth = 0.01;
+  qtr_qtable_init(&table_learner->table, learning_memory.table, QTR_QTABLE_WORDS, &table_learner->environment->keys,
+                  false);
+  table_learner->phase = QTR_PHASE_EPISODES;
+  table_learner->upper = table_learner->ground_upper = 1000.0;
+  table_learner->best.score.worth = 0.01;
   table_mission.watch.go_on = spoil;
-  qtr_learner_step(learner);
+  qtr_learner_step(table_learner);
 }
 
 static void learn_undisturbed(void) {
@@ -226,8 +228,8 @@ static void learn_undisturbed(void) {
 
 static bool lower_the_entry(void *context) {
   (void)context;
-  qtr_trace *trace = &learner->trace[learner->play.choices];
-  qtr_qtable_set(&learner->table, &trace->key, -1.0);
+  qtr_trace *trace = &table_learner->trace[table_learner->play.choices];
+  qtr_qtable_set(&table_learner->table, &trace->key, -1.0);
   trace->q = 100.0;
   return true;
 }
@@ -238,7 +240,7 @@ static void raise_an_entry(void) {
 
 static bool lower_the_first_q(void *context) {
   (void)context;
-  learner->trace[0].q = learner->trace[0].runner_up = -100.0;
+  table_learner->trace[0].q = table_learner->trace[0].runner_up = -100.0;
   return true;
 }
 
@@ -248,14 +250,14 @@ static void earn_more_than_q(void) {
   const qtr_aggregation how = aggregation_of(&spots, NULL);
   qtr_learner_config config;
   qtr_learner_config_default(&config);
-  qtr_environment_init(&seen, &table_game, &how, &table_field);
-  qtr_learner_init(learner, &table_ground, &seen, &config);
+  aggregate_init(&seen, &table_game, &how, &table_field);
+  learner_init(&table_learner, table_ground, seen, &config);
   learn(lower_the_first_q);
 }
 
 static bool forget_the_best(void *context) {
   (void)context;
-  learner->best.score.worth = -1.0;
+  table_learner->best.score.worth = -1.0;
   return false;
 }
 

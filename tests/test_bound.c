@@ -3,17 +3,18 @@
 #include <math.h>
 #include <string.h>
 
-#include "quarter/bound.h"
 #include "quarter/game.h"
 #include "support/brute.h"
+#include "support/learning.h"
 #include "support/random.h"
 #include "unity.h"
 
 static qtr_mission mission;
 static qtr_field field;
 static qtr_game game;
-static qtr_environment ground;
+static qtr_environment *ground;
 static qtr_bound bound;
+static qtr_gain gains[QTR_BOUND_SLOTS * QTR_MAX_PLACES];
 static brute_game brute;
 static long states_seen;
 static double tightest; /* the least slack seen */
@@ -29,7 +30,7 @@ void tearDown(void) {
 static void set_up_game(void) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&mission, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&ground, &game, NULL, &field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &field), case_note);
   brute_set_up(&brute, &mission);
 }
 
@@ -114,7 +115,7 @@ static void expect_upper_above(double optimum) {
 static void check_game(test_random *random) {
   qtr_steps visit[QTR_MAX_PLACES] = {0};
   play_at_random(random, visit);
-  qtr_bound_init(&bound, &ground, visit);
+  qtr_bound_init(&bound, gains, ground, visit);
   const double optimum = look_at_all_states();
   expect_upper_above(optimum);
   const unsigned midway = random_below(random, 30);
@@ -172,7 +173,7 @@ static void test_time_past_the_last_slot_is_bounded_too(void) {
     set_up_game();
     qtr_steps visit[QTR_MAX_PLACES] = {0};
     play_at_random(&random, visit);
-    qtr_bound_init(&bound, &ground, visit);
+    qtr_bound_init(&bound, gains, ground, visit);
     /* Fewer slots than the search takes, as an array too small for it would hold. */
     bound.slots = random_in(&random, 1, bound.slots);
     for (unsigned place = 0; place < mission.places; place++) past += visit[place] >= bound.slots * bound.slot_steps;
@@ -190,7 +191,7 @@ static void test_bound_holds_under_arbitrary_prices(void) {
     set_up_game();
     qtr_steps visit[QTR_MAX_PLACES] = {0};
     play_at_random(&random, visit);
-    qtr_bound_init(&bound, &ground, visit);
+    qtr_bound_init(&bound, gains, ground, visit);
     for (unsigned place = 0; place < mission.places; place++)
       bound.price[place] =
           mission.aim.kind == QTR_TIME ? 20.0 * random_unit(&random) - 15.0 : 4.0 * random_unit(&random);
@@ -206,11 +207,11 @@ static void test_one_seeker_and_one_place_are_bounded_exactly(void) {
   snprintf(case_note, sizeof case_note, "by hand");
   mission_draw(&mission, "S..1");
   set_up_game();
-  qtr_bound_init(&bound, &ground, visit);
+  qtr_bound_init(&bound, gains, ground, visit);
   TEST_ASSERT_TRUE(fabs(bound.upper - 10.0 * 0.99 * 0.99) < 1e-12);
   mission.aim.kind = QTR_TIME;
   set_up_game();
-  qtr_bound_init(&bound, &ground, visit);
+  qtr_bound_init(&bound, gains, ground, visit);
   TEST_ASSERT_TRUE(fabs(bound.upper + 3.0) < 1e-12);
 }
 
@@ -221,7 +222,7 @@ static void test_prices_settle_on_the_optimum_of_two_seekers_apart(void) {
   mission_draw(&mission, "S.1......1..S");
   mission.aim.kind = QTR_TIME;
   set_up_game();
-  qtr_bound_init(&bound, &ground, visit);
+  qtr_bound_init(&bound, gains, ground, visit);
   while (qtr_bound_improve(&bound, -2.5)) {}
   TEST_ASSERT_TRUE(fabs(bound.upper + 2.5) < 1e-6);
 }
@@ -233,7 +234,7 @@ static void test_visits_under_way_are_counted_to_the_step(void) {
   mission_draw(&mission, "1...S...3");
   mission_crew(&mission, 2);
   set_up_game();
-  qtr_bound_init(&bound, &ground, visit);
+  qtr_bound_init(&bound, gains, ground, visit);
   qtr_joint_start(&joint, &game.board, NULL, NULL);
   qtr_joint_choose(&joint, &game.board, 0, 0);
   qtr_joint_choose(&joint, &game.board, 1, 1);
@@ -242,7 +243,7 @@ static void test_visits_under_way_are_counted_to_the_step(void) {
   TEST_ASSERT_TRUE(fabs(bound_of(&joint, 7, 1.0) - 10.0 * pow(0.99, 3)) < 1e-9);
   mission.aim.kind = QTR_TIME;
   set_up_game();
-  qtr_bound_init(&bound, &ground, visit);
+  qtr_bound_init(&bound, gains, ground, visit);
   TEST_ASSERT_TRUE(fabs(bound_of(&joint, 7, 1.0) + 4.0) < 1e-9);
 }
 
@@ -256,7 +257,7 @@ static void test_worth_that_underflows_is_still_a_number(void) {
   visit[0] = 1;
   visit[1] = 6;
   visit[2] = 11;
-  qtr_bound_init(&bound, &ground, visit);
+  qtr_bound_init(&bound, gains, ground, visit);
   qtr_joint_start(&joint, &game.board, NULL, NULL);
   qtr_joint_choose(&joint, &game.board, 0, 0);
   const double most = bound_of(&joint, 5000, 1.0);

@@ -79,20 +79,18 @@ static void test_learner_side_refuses_callers_of_other_sizes(void) {
 
 static void test_learner_refuses_callers_of_other_sizes(void) {
   qtr_learner_config config;
-  static qtr_steps visit[QTR_MAX_PLACES];
   qtr_learner_config_default(&config);
   table_draw("1..S..2/..1...S", 0);
   const size_t some = 4096; /* of what is too large to be looked at whole */
-  memset(&table_learner.table, 0xA5, some);
-  expect_refused(qtr_qtable_init_built(&table_learner.table, &table_game.board.keys, false, FOREIGN),
-                 &table_learner.table, some);
-  memset(&table_learner.bound, 0xA5, some);
-  expect_refused(qtr_bound_init_built(&table_learner.bound, &table_ground, visit, FOREIGN), &table_learner.bound, some);
-  memset(&table_learner, 0xA5, some);
-  expect_refused(qtr_learner_init_built(&table_learner, &table_ground, NULL, &config, FOREIGN), &table_learner, some);
-  memset(&table_ground, 0xA5, some);
-  expect_refused(qtr_environment_init_built(&table_ground, &table_game, NULL, &table_field, FOREIGN), &table_ground,
-                 some);
+  const qtr_learner_blocks blocks = QTR_LEARNER_BLOCKS(learning_memory);
+  memset(learning_memory.work, 0xA5, some);
+  expect_refused(qtr_learner_init_built(&table_learner, &blocks, table_ground, NULL, &config, FOREIGN),
+                 learning_memory.work, some);
+  void *block = learning_memory.ground;
+  memset(block, 0xA5, some);
+  expect_refused(qtr_environment_init_built(&table_ground, block, sizeof learning_memory.ground, &table_game, NULL,
+                                            &table_field, FOREIGN),
+                 block, some);
   memset(&table_game, 0xA5, some);
   expect_refused(qtr_game_init_built(&table_game, &table_mission, &table_field, NULL, FOREIGN), &table_game, some);
   memset(&table_mission, 0xA5, sizeof table_mission);

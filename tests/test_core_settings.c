@@ -4,20 +4,21 @@
 
 #include "quarter/learn.h"
 #include "quarter/status.h"
+#include "support/learning.h"
 #include "support/missions.h"
 #include "support/settings.h"
 #include "unity.h"
 
 static qtr_mission mission;
 static qtr_game game;
-static qtr_environment environment;
-static qtr_learner learner;
+static qtr_environment *environment;
+static qtr_learner *learner;
 static qtr_field field;
 
 void setUp(void) {
   mission_draw(&mission, "S..1..2");
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&game, &mission, &field, NULL));
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&environment, &game, NULL, &field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&environment, &game, &field));
 }
 
 void tearDown(void) {
@@ -60,7 +61,7 @@ static void test_learner(void) {
   qtr_learner_config_default(&config);
   UNMAKE(config);
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_learner_config_check(&config));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_learner_init(&learner, &environment, NULL, &config));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, learner_init(&learner, environment, NULL, &config));
 }
 
 static void test_regions(void) {
@@ -92,7 +93,7 @@ static void test_spots(void) {
 
 static void expect_aggregation(int status, const qtr_aggregation *how) {
   TEST_ASSERT_EQUAL_INT(status, qtr_aggregation_check(how));
-  TEST_ASSERT_EQUAL_INT(status, qtr_environment_init(&environment, &game, how, &field));
+  TEST_ASSERT_EQUAL_INT(status, aggregate_init(&environment, &game, how, &field));
 }
 
 static void test_aggregation(void) {

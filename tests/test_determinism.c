@@ -18,7 +18,9 @@ void tearDown(void) {
 
 /* Whatever lay in memory before. The Q-table's words are dirtied at its beginning alone: they are many. */
 static void dirty(uint8_t with) {
-  memset(&table_learner, with, offsetof(qtr_learner, table) + offsetof(qtr_qtable, word) + 4096);
+  memset(learning_memory.ground, with, sizeof learning_memory.ground);
+  memset(learning_memory.work, with, sizeof learning_memory.work);
+  memset(learning_memory.table, with, 4096);
   memset(&table_game, with, sizeof table_game);
   memset(&table_field, with, sizeof table_field);
 }
@@ -56,8 +58,8 @@ static void test_certificates_repeat_at_every_step(void) {
     for (unsigned step = 0; step < 60; step++) {
       qtr_certificate now;
       memset(&now, 0, sizeof now);
-      qtr_learner_step(&table_learner);
-      qtr_learner_certificate(&table_learner, &now);
+      qtr_learner_step(table_learner);
+      qtr_learner_certificate(table_learner, &now);
       if (run == 0) seen[step] = now;
       TEST_ASSERT_TRUE(now.bound == seen[step].bound);
       TEST_ASSERT_TRUE(now.objective == seen[step].objective);
@@ -133,9 +135,9 @@ static void test_hundreds_of_episodes_give_the_golden_table(void) {
     mission_crew(&table_mission, 2);
     dirty(0x5A);
     table_learn(0);
-    table_learner.phase = QTR_PHASE_EPISODES; /* the first prices alone, so that Q has the work */
-    for (unsigned step = 0; step < 400; step++) qtr_learner_step(&table_learner);
-    TEST_ASSERT_GREATER_THAN(300, table_learner.episodes);
+    table_learner->phase = QTR_PHASE_EPISODES; /* the first prices alone, so that Q has the work */
+    for (unsigned step = 0; step < 400; step++) qtr_learner_step(table_learner);
+    TEST_ASSERT_GREATER_THAN(300, table_learner->episodes);
     table_export();
     others += is_other_hash(hash[objective]);
   }

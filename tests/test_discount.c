@@ -6,6 +6,7 @@
 #include "quarter/learner.h"
 #include "quarter/status.h"
 #include "support/brute.h"
+#include "support/learning.h"
 #include "support/random.h"
 #include "unity.h"
 
@@ -14,8 +15,8 @@ enum { LONGEST = QTR_MAX_CELLS < 4000 ? QTR_MAX_CELLS : 4000 };
 static qtr_mission mission;
 static qtr_field field;
 static qtr_game game;
-static qtr_environment ground;
-static qtr_learner learner;
+static qtr_environment *ground;
+static qtr_learner *learner;
 static qtr_learner_config config;
 static qtr_certificate certificate;
 static brute_game brute;
@@ -79,14 +80,14 @@ static long nearest_way(void) {
 static int begin(void) {
   int status = qtr_mission_check(&mission, NULL);
   if (status == QTR_OK) status = qtr_game_init(&game, &mission, &field, NULL);
-  if (status == QTR_OK) status = qtr_environment_init(&ground, &game, NULL, &field);
-  return status == QTR_OK ? qtr_learner_init(&learner, &ground, NULL, &config) : status;
+  if (status == QTR_OK) status = ground_init(&ground, &game, &field);
+  return status == QTR_OK ? learner_init(&learner, ground, NULL, &config) : status;
 }
 
 static enum qtr_learning learn(void) {
   enum qtr_learning state;
-  while ((state = qtr_learner_step(&learner)) == QTR_LEARNING) {}
-  qtr_learner_certificate(&learner, &certificate);
+  while ((state = qtr_learner_step(learner)) == QTR_LEARNING) {}
+  qtr_learner_certificate(learner, &certificate);
   return state;
 }
 

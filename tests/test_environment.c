@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "quarter/learner.h"
+#include "support/learning.h"
 #include "support/missions.h"
 #include "support/random.h"
 #include "support/settings.h"
@@ -14,9 +15,9 @@
 static qtr_mission mission;
 static qtr_field field;
 static qtr_game game;
-static qtr_environment ground, aggregate;
+static qtr_environment *ground, *aggregate;
 static qtr_regions regions;
-static qtr_learner learner;
+static qtr_learner *learner;
 static uint8_t region_times;
 
 void setUp(void) {
@@ -29,7 +30,7 @@ void tearDown(void) {
 
 static void set_up_game(void) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&ground, &game, NULL, &field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &field), case_note);
 }
 
 /* The rule that targets are chosen by is the mission's; the ground is played by the free one. */
@@ -39,7 +40,7 @@ static void set_up_aggregate(const qtr_spots_config *spots, uint8_t order, const
   how.spot_order = order;
   how.region_times = region_times;
   game.board.rule = QTR_RULE_FREE;
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&aggregate, &game, &how, &field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, aggregate_init(&aggregate, &game, &how, &field), case_note);
 }
 
 static uint16_t random_choice(test_random *random, const qtr_joint *joint, const qtr_board *board, int seeker) {
@@ -57,7 +58,7 @@ static uint16_t random_choice(test_random *random, const qtr_joint *joint, const
 
 static void expect_same_key(const qtr_situation *situation, const qtr_state *state) {
   qtr_key seen, true_key;
-  qtr_environment_key(&ground, situation, &seen);
+  qtr_environment_key(ground, situation, &seen);
   qtr_joint_key(&true_key, &state->joint, &game.board);
   TEST_ASSERT_EQUAL_MEMORY_MESSAGE(true_key.word, seen.word, 4u * game.board.keys.words, case_note);
 }
@@ -70,17 +71,17 @@ static void test_without_aggregation_it_is_the_game(void) {
     int seeker;
     mission_random(&mission, &random, (mission_size){8, 7, 7, 3});
     set_up_game();
-    qtr_environment_start(&ground, &situation);
+    qtr_environment_start(ground, &situation);
     qtr_game_start(&game, &state);
     while ((seeker = qtr_joint_chooser(&state.joint, &game.board)) != QTR_NOBODY) {
       qtr_outcome seen, truth;
       const uint16_t choice = random_choice(&random, &state.joint, &game.board, seeker);
-      TEST_ASSERT_EQUAL_INT_MESSAGE(seeker, qtr_joint_chooser(&situation.joint, &ground.board), case_note);
-      TEST_ASSERT_TRUE_MESSAGE(qtr_environment_choose(&ground, &situation, seeker, choice) ==
+      TEST_ASSERT_EQUAL_INT_MESSAGE(seeker, qtr_joint_chooser(&situation.joint, &ground->board), case_note);
+      TEST_ASSERT_TRUE_MESSAGE(qtr_environment_choose(ground, &situation, seeker, choice) ==
                                    qtr_game_choose(&game, &state, seeker, choice),
                                case_note);
       expect_same_key(&situation, &state);
-      qtr_environment_pass(&ground, &situation, &seen);
+      qtr_environment_pass(ground, &situation, &seen);
       qtr_game_pass(&game, &state, &truth);
       TEST_ASSERT_TRUE_MESSAGE(fabs(seen.reward - truth.reward) <= 1e-12 * (1.0 + fabs(truth.reward)), case_note);
       TEST_ASSERT_TRUE_MESSAGE(fabs(seen.discount - truth.discount) <= 1e-15, case_note);
@@ -122,14 +123,14 @@ static void test_spots_earn_what_their_tours_earn_on_the_ground(void) {
     const qtr_spots_config spots = random_spots(&random);
     set_up_aggregate(&spots, random_chance(&random, 50) ? QTR_SPOT_BEST : QTR_SPOT_NEAREST, NULL);
     for (unsigned place = 0; place < mission.places; place++) visit[place] = QTR_NEVER;
-    qtr_environment_start(&aggregate, &situation);
-    while ((seeker = qtr_joint_chooser(&situation.joint, &aggregate.board)) != QTR_NOBODY) {
-      const uint16_t choice = random_choice(&random, &situation.joint, &aggregate.board, seeker);
+    qtr_environment_start(aggregate, &situation);
+    while ((seeker = qtr_joint_chooser(&situation.joint, &aggregate->board)) != QTR_NOBODY) {
+      const uint16_t choice = random_choice(&random, &situation.joint, &aggregate->board, seeker);
       const unsigned from = situation.at[seeker];
-      earned += discount * qtr_environment_choose(&aggregate, &situation, seeker, choice);
+      earned += discount * qtr_environment_choose(aggregate, &situation, seeker, choice);
       if (choice != QTR_STAND_DOWN)
-        walk_tour(visit, from, situation.now, &aggregate.targets.tour[situation.at[seeker]]);
-      qtr_environment_pass(&aggregate, &situation, &outcome);
+        walk_tour(visit, from, situation.now, &aggregate->targets.tour[situation.at[seeker]]);
+      qtr_environment_pass(aggregate, &situation, &outcome);
       earned += discount * outcome.reward;
       discount *= outcome.discount;
     }
@@ -144,19 +145,19 @@ static double try_spots(qtr_steps *visit, unsigned taken, unsigned seeker, unsig
   double best = -HUGE_VAL;
   if (seeker == mission.seekers) {
     qtr_score score;
-    if (taken + 1 != 1u << aggregate.targets.count) return best;
+    if (taken + 1 != 1u << aggregate->targets.count) return best;
     qtr_game_score(&game, visit, &score);
     return score.worth;
   }
   const unsigned next = seeker + 1;
   const unsigned start = next < mission.seekers ? (unsigned)mission.places + game.board.start_of[next] : 0;
   best = try_spots(visit, taken, next, start, 0);
-  for (unsigned target = 0; target < aggregate.targets.count; target++) {
-    const uint16_t first = qtr_targets_first(&aggregate.targets, node, target);
+  for (unsigned target = 0; target < aggregate->targets.count; target++) {
+    const uint16_t first = qtr_targets_first(&aggregate->targets, node, target);
     if ((taken >> target & 1u) != 0 || first == QTR_STAND_DOWN) continue;
     qtr_steps with[QTR_MAX_PLACES];
     memcpy(with, visit, sizeof with);
-    const qtr_tour *tour = &aggregate.targets.tour[first];
+    const qtr_tour *tour = &aggregate->targets.tour[first];
     const qtr_steps end = walk_tour(with, node, now, tour);
     const double worth = try_spots(with, taken | 1u << target, seeker, tour->place[tour->places - 1], end);
     if (worth > best) best = worth;
@@ -176,18 +177,18 @@ static void test_the_best_policy_of_the_spots_is_found(void) {
     set_up_game();
     const qtr_spots_config spots = spot_limits(4, 9, 0.0);
     set_up_aggregate(&spots, QTR_SPOT_BEST, NULL);
-    if (aggregate.targets.count > 5) continue;
+    if (aggregate->targets.count > 5) continue;
     qtr_learner_config_default(&config);
     config.ground_search = false;
-    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&learner, &ground, &aggregate, &config), case_note);
-    while (qtr_learner_step(&learner) == QTR_LEARNING) {}
-    qtr_learner_certificate(&learner, &certificate);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, learner_init(&learner, ground, aggregate, &config), case_note);
+    while (qtr_learner_step(learner) == QTR_LEARNING) {}
+    qtr_learner_certificate(learner, &certificate);
     for (unsigned place = 0; place < mission.places; place++) visit[place] = QTR_NEVER;
     const double best = try_spots(visit, 0, 0, (unsigned)mission.places + game.board.start_of[0], 0);
     const double found = mission.aim.kind == QTR_TIME ? -certificate.expected_time : certificate.value;
     TEST_ASSERT_TRUE_MESSAGE(fabs(found - best) <= 2e-5 * fabs(best) + 1e-12, case_note);
-    TEST_ASSERT_TRUE_MESSAGE(learner.ground_upper >= best - 1e-9 * fabs(best), case_note);
-    TEST_ASSERT_TRUE_MESSAGE(learner.upper >= best - 1e-9 * fabs(best), case_note);
+    TEST_ASSERT_TRUE_MESSAGE(learner->ground_upper >= best - 1e-9 * fabs(best), case_note);
+    TEST_ASSERT_TRUE_MESSAGE(learner->upper >= best - 1e-9 * fabs(best), case_note);
   }
 }
 
@@ -211,9 +212,9 @@ static void test_times_are_equal_for_all_cells_of_a_region(void) {
   draw_corridor("S..1....3");
   for (unsigned cell = 0; cell < 9; cell++) {
     qtr_situation situation;
-    qtr_environment_start(&aggregate, &situation);
+    qtr_environment_start(aggregate, &situation);
     situation.walk[0].cell = (qtr_cell)cell;
-    qtr_environment_choose(&aggregate, &situation, 0, 1);
+    qtr_environment_choose(aggregate, &situation, 0, 1);
     /* from the middles 1, 4 and 7 to cell 8 */
     TEST_ASSERT_EQUAL_UINT32(7 - 3 * (cell / 3), situation.joint.remaining[0]);
   }
@@ -228,11 +229,11 @@ static void test_true_times_differ_between_the_cells_of_a_region(void) {
   set_up_aggregate(NULL, QTR_SPOT_BEST, &regions);
   qtr_situation situation;
   qtr_outcome outcome;
-  qtr_environment_start(&aggregate, &situation);
-  qtr_environment_choose(&aggregate, &situation, 0, 1);
-  qtr_environment_choose(&aggregate, &situation, 1, 0);
+  qtr_environment_start(aggregate, &situation);
+  qtr_environment_choose(aggregate, &situation, 0, 1);
+  qtr_environment_choose(aggregate, &situation, 1, 0);
   TEST_ASSERT_EQUAL_UINT32(8, situation.joint.remaining[0]);
-  qtr_environment_pass(&aggregate, &situation, &outcome);
+  qtr_environment_pass(aggregate, &situation, &outcome);
   /* 3 steps and then the 5 that are left: what is earned on the ground */
   TEST_ASSERT_DOUBLE_WITHIN(1e-12, pow(0.99, 2) * 2.5 + pow(0.99, 7) * 7.5, outcome.reward);
   TEST_ASSERT_EQUAL_UINT32(8, situation.now);
@@ -247,10 +248,10 @@ static void test_an_aggregated_episode_by_hand(void) {
   mission_crew(&mission, 2);
   set_up_game();
   set_up_aggregate(NULL, QTR_SPOT_BEST, &regions);
-  qtr_environment_start(&aggregate, &situation);
-  qtr_environment_choose(&aggregate, &situation, 0, 1);
-  qtr_environment_choose(&aggregate, &situation, 1, 0);
-  qtr_environment_pass(&aggregate, &situation, &outcome);
+  qtr_environment_start(aggregate, &situation);
+  qtr_environment_choose(aggregate, &situation, 0, 1);
+  qtr_environment_choose(aggregate, &situation, 1, 0);
+  qtr_environment_pass(aggregate, &situation, &outcome);
   /* Eq. 4.7: gamma^(tau - 1) R, R = w P = 10 / 4 for the place of weight 1 */
   TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.99 * 2.5 + pow(0.99, 2) * pow(0.99, 6) * 7.5, outcome.reward);
   TEST_ASSERT_EQUAL_UINT32(2 + 7, situation.now);
@@ -261,11 +262,11 @@ static void test_cells_of_one_region_share_their_key_and_others_do_not(void) {
   draw_corridor("S..1....3");
   for (unsigned cell = 0; cell < 9; cell++) {
     qtr_situation situation;
-    qtr_environment_start(&aggregate, &situation);
-    qtr_environment_key(&aggregate, &situation, &first);
+    qtr_environment_start(aggregate, &situation);
+    qtr_environment_key(aggregate, &situation, &first);
     situation.walk[0].cell = (qtr_cell)cell;
-    qtr_environment_key(&aggregate, &situation, &other);
-    const bool same = memcmp(first.word, other.word, 4u * aggregate.keys.words) == 0;
+    qtr_environment_key(aggregate, &situation, &other);
+    const bool same = memcmp(first.word, other.word, 4u * aggregate->keys.words) == 0;
     TEST_ASSERT_EQUAL(cell < 3, same);
   }
 }
@@ -274,9 +275,9 @@ static void test_certified_setting_refuses_regions(void) {
   qtr_learner_config config;
   draw_corridor("S..1....3");
   qtr_learner_config_default(&config);
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_learner_init(&learner, &ground, &aggregate, &config));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, learner_init(&learner, ground, aggregate, &config));
   config.setting = QTR_SETTING_PAPER;
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_learner_init(&learner, &ground, &aggregate, &config));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, learner_init(&learner, ground, aggregate, &config));
 }
 
 /* ---- the paper setting ---- */
@@ -289,17 +290,17 @@ static void test_exploring_finds_the_optimum_that_the_certificate_proves(void) {
     mission_random(&mission, &random, (mission_size){6, 5, 4, 2});
     set_up_game();
     qtr_learner_config_default(&config);
-    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_learner_init(&learner, &ground, NULL, &config));
-    while (qtr_learner_step(&learner) == QTR_LEARNING) {}
-    qtr_learner_certificate(&learner, &proven);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, learner_init(&learner, ground, NULL, &config));
+    while (qtr_learner_step(learner) == QTR_LEARNING) {}
+    qtr_learner_certificate(learner, &proven);
     config.setting = QTR_SETTING_PAPER;
     config.gap = 0.0;
     config.exploration.kind = (uint8_t)(number % 3);
     config.exploration.first = number % 3 == QTR_EXPLORE_SOFTMAX ? 1000.0 : 0.5;
     config.exploration.last = config.exploration.first;
-    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_learner_init(&learner, &ground, NULL, &config));
-    for (unsigned step = 0; step < 4000; step++) qtr_learner_step(&learner);
-    qtr_learner_certificate(&learner, &explored);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, learner_init(&learner, ground, NULL, &config));
+    for (unsigned step = 0; step < 4000; step++) qtr_learner_step(learner);
+    qtr_learner_certificate(learner, &explored);
     const double slack = 2e-5 * fabs(proven.objective);
     TEST_ASSERT_TRUE_MESSAGE(fabs(explored.objective - proven.objective) <= slack, case_note);
     const double max_q = mission.aim.kind == QTR_TIME ? -explored.max_q : explored.max_q;

@@ -23,13 +23,13 @@ static double load_double(uint32_t offset) {
 
 static void test_size_is_told_beforehand_and_needed_to_the_byte(void) {
   table_draw("1..S..2/..1...1", 2);
-  const uint32_t size = qtr_export_size(&table_learner);
+  const uint32_t size = qtr_export_size(table_learner);
   TEST_ASSERT_EQUAL_UINT32(size, table_size);
   memset(table_bytes, 0xA5, sizeof table_bytes);
-  TEST_ASSERT_EQUAL_INT32(QTR_ERR_SPACE, qtr_export(&table_learner, table_bytes, size - 1));
-  TEST_ASSERT_EQUAL_INT32(QTR_ERR_SPACE, qtr_export(&table_learner, table_bytes, 0));
+  TEST_ASSERT_EQUAL_INT32(QTR_ERR_SPACE, qtr_export(table_learner, table_bytes, size - 1));
+  TEST_ASSERT_EQUAL_INT32(QTR_ERR_SPACE, qtr_export(table_learner, table_bytes, 0));
   TEST_ASSERT_EQUAL_HEX8(0xA5, table_bytes[0]);
-  TEST_ASSERT_EQUAL_INT32(size, qtr_export(&table_learner, table_bytes, size));
+  TEST_ASSERT_EQUAL_INT32(size, qtr_export(table_learner, table_bytes, size));
   TEST_ASSERT_EQUAL_HEX8(0xA5, table_bytes[size]);
 }
 
@@ -37,7 +37,7 @@ static void test_size_is_told_beforehand_and_needed_to_the_byte(void) {
  * of 8 bytes (a key of one word, and the choice), 2 bytes of grid. */
 static void test_size_by_hand(void) {
   table_draw("1..S..2/..1....", 2);
-  const uint32_t records = qtr_learner_best(&table_learner)->choices;
+  const uint32_t records = qtr_learner_best(table_learner)->choices;
   TEST_ASSERT_EQUAL_UINT32(120 + 4 + 4 * 4 + 4 * 3 + 4 * 4 * 3 + 8 * records + 2, table_size);
 }
 
@@ -50,7 +50,7 @@ static void test_header_says_what_was_learnt(void) {
   table_mission.frame.origin_y_um = 7654321;
   table_learn(1000);
   table_export();
-  qtr_learner_certificate(&table_learner, &certificate);
+  qtr_learner_certificate(table_learner, &certificate);
   TEST_ASSERT_EQUAL_MEMORY("QTRP", table_bytes, 4);
   TEST_ASSERT_EQUAL(QTR_POLICY_FORMAT, load16_le(table_bytes + QTR_POLICY_VERSION));
   TEST_ASSERT_EQUAL_UINT32(table_size, load32_le(table_bytes + QTR_POLICY_SIZE));
@@ -124,7 +124,7 @@ static void expect_mission_in_table(void) {
 
 /* Every state that the best game meets has its record, and there is no other. */
 static void expect_best_game_in_table(void) {
-  const qtr_play *best = qtr_learner_best(&table_learner);
+  const qtr_play *best = qtr_learner_best(table_learner);
   qtr_state state;
   qtr_outcome outcome;
   qtr_game_start(&table_game, &state);
@@ -160,7 +160,7 @@ static void test_learning_stopped_at_any_step_exports(void) {
     table_export();
     table_open(&policy);
     qtr_certificate certificate;
-    qtr_learner_certificate(&table_learner, &certificate);
+    qtr_learner_certificate(table_learner, &certificate);
     TEST_ASSERT_EQUAL_MESSAGE(certificate.certified, table_bytes[QTR_POLICY_CERTIFIED], case_note);
     TEST_ASSERT_TRUE_MESSAGE(load_double(QTR_POLICY_GAP) == certificate.gap, case_note);
     expect_best_game_in_table();
@@ -181,8 +181,8 @@ static void test_largest_mission_exports(void) {
   }
   for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++) table_mission.start[i] = (qtr_cell)i;
   table_learn(0);
-  const int32_t written = qtr_export(&table_learner, large, sizeof large);
-  TEST_ASSERT_EQUAL_INT32(qtr_export_size(&table_learner), written);
+  const int32_t written = qtr_export(table_learner, large, sizeof large);
+  TEST_ASSERT_EQUAL_INT32(qtr_export_size(table_learner), written);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_open(&policy, large, (uint32_t)written));
   expect_mission_in_table();
   expect_best_game_in_table();

@@ -7,14 +7,15 @@
 
 #include "quarter/learner.h"
 #include "support/brute.h"
+#include "support/learning.h"
 #include "support/random.h"
 #include "unity.h"
 
 static qtr_mission mission;
 static qtr_field field;
 static qtr_game game;
-static qtr_environment ground;
-static qtr_learner learner;
+static qtr_environment *ground;
+static qtr_learner *learner;
 static qtr_learner_config config;
 static brute_game brute;
 
@@ -29,26 +30,26 @@ void tearDown(void) {
 static void set_up_game(void) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&mission, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&ground, &game, NULL, &field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &field), case_note);
 }
 
 static void begin(void) {
   set_up_game();
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&learner, &ground, NULL, &config), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, learner_init(&learner, ground, NULL, &config), case_note);
 }
 
 /* Forget the first game's care and the prices: the certificate must come from Q-learning alone. Returns with Q at the
  * bound under random prices, valid and weak. */
 static void weaken(test_random *random) {
   for (unsigned place = 0; place < mission.places; place++)
-    learner.bound.price[place] = mission.aim.kind == QTR_TIME ? 0.0 : 12.0 * random_unit(random);
-  qtr_bound_settle(&learner.bound);
-  learner.phase = QTR_PHASE_EPISODES;
-  learner.upper = mission.aim.kind == QTR_TIME ? 0.0 : 1e6;
-  learner.ground_upper = learner.upper;
-  learner.best.score.value *= 1e-3;
-  learner.best.score.expected_time = 1e9;
-  learner.best.score.worth = mission.aim.kind == QTR_TIME ? -1e9 : learner.best.score.value;
+    learner->bound.price[place] = mission.aim.kind == QTR_TIME ? 0.0 : 12.0 * random_unit(random);
+  qtr_bound_settle(&learner->bound);
+  learner->phase = QTR_PHASE_EPISODES;
+  learner->upper = mission.aim.kind == QTR_TIME ? 0.0 : 1e6;
+  learner->ground_upper = learner->upper;
+  learner->best.score.value *= 1e-3;
+  learner->best.score.expected_time = 1e9;
+  learner->best.score.worth = mission.aim.kind == QTR_TIME ? -1e9 : learner->best.score.value;
 }
 
 /* ---- certificates ---- */
@@ -70,11 +71,11 @@ static void expect_no_worse(const qtr_certificate *now, const qtr_certificate *b
 static enum qtr_learning learn(qtr_certificate *certificate) {
   enum qtr_learning state;
   unsigned steps = 0;
-  qtr_learner_certificate(&learner, certificate);
+  qtr_learner_certificate(learner, certificate);
   do {
     const qtr_certificate before = *certificate;
-    state = qtr_learner_step(&learner);
-    qtr_learner_certificate(&learner, certificate);
+    state = qtr_learner_step(learner);
+    qtr_learner_certificate(learner, certificate);
     expect_no_worse(certificate, &before);
     TEST_ASSERT_EQUAL_MESSAGE(state == QTR_CERTIFIED, certificate->certified, case_note);
     TEST_ASSERT_TRUE_MESSAGE(++steps < 2000000, case_note);
@@ -96,7 +97,7 @@ static void expect_truth(const qtr_certificate *certificate, double optimum) {
 
 /* The best game replayed by the other implementation: its choices are allowed and earn what is reported. */
 static void expect_best_game_is_played(const qtr_certificate *certificate) {
-  const qtr_play *best = qtr_learner_best(&learner);
+  const qtr_play *best = qtr_learner_best(learner);
   brute_state state;
   double worth = 0.0;
   unsigned made = 0;
@@ -213,9 +214,9 @@ static void test_long_corridors_are_certified(void) {
 
 /* As if the array held so many slots alone. */
 static void shrink_table(uint32_t slots) {
-  learner.table.slots = slots;
-  learner.table.slots_limit = slots;
-  memset(learner.table.word, 0, slots * learner.table.entry_words * sizeof learner.table.word[0]);
+  learner->table.slots = slots;
+  learner->table.slots_limit = slots;
+  memset(learner->table.word, 0, slots * learner->table.entry_words * sizeof learner->table.word[0]);
 }
 
 static void test_full_table_ends_with_a_gap_that_is_true(void) {
@@ -231,7 +232,7 @@ static void test_full_table_ends_with_a_gap_that_is_true(void) {
     const enum qtr_learning state = learn(&certificate);
     expect_truth(&certificate, brute_optimum(&brute));
     left_open += state == QTR_CONVERGED;
-    refused += learner.table.refused > 0;
+    refused += learner->table.refused > 0;
   }
   TEST_ASSERT_GREATER_THAN(10, left_open);
   TEST_ASSERT_GREATER_THAN(20, refused);
@@ -283,8 +284,8 @@ static void test_steps_after_the_end_change_nothing(void) {
   mission_draw(&mission, "1..S..2/..1...1");
   begin();
   const enum qtr_learning state = learn(&end);
-  for (int i = 0; i < 10; i++) TEST_ASSERT_EQUAL_INT(state, qtr_learner_step(&learner));
-  qtr_learner_certificate(&learner, &later);
+  for (int i = 0; i < 10; i++) TEST_ASSERT_EQUAL_INT(state, qtr_learner_step(learner));
+  qtr_learner_certificate(learner, &later);
   TEST_ASSERT_EQUAL_UINT64(end.episodes, later.episodes);
   TEST_ASSERT_EQUAL_UINT64(end.updates, later.updates);
   TEST_ASSERT_TRUE(end.bound == later.bound);
@@ -304,8 +305,8 @@ static void test_first_episode_backs_up_as_in_the_textbook(void) {
   mission_draw(&mission, "1.S..1");
   begin();
   weaken(&random);
-  qtr_learner_step(&learner);
-  qtr_learner_certificate(&learner, &certificate);
+  qtr_learner_step(learner);
+  qtr_learner_certificate(learner, &certificate);
   TEST_ASSERT_TRUE(fabs(certificate.value - left) < 1e-12);
   TEST_ASSERT_TRUE(certificate.bound >= left);
   TEST_ASSERT_TRUE(certificate.bound < left + 1e-6);
@@ -317,8 +318,8 @@ static void test_near_place_is_visited_first_and_each_seeker_takes_its_side(void
   mission_crew(&mission, 2);
   begin();
   TEST_ASSERT_EQUAL_INT(QTR_CERTIFIED, learn(&certificate));
-  TEST_ASSERT_EQUAL_UINT32(4, qtr_learner_best(&learner)->visit[0]);
-  TEST_ASSERT_EQUAL_UINT32(3, qtr_learner_best(&learner)->visit[1]);
+  TEST_ASSERT_EQUAL_UINT32(4, qtr_learner_best(learner)->visit[0]);
+  TEST_ASSERT_EQUAL_UINT32(3, qtr_learner_best(learner)->visit[1]);
   const double value = 10.0 * (2.0 / 3.0 * pow(0.99, 3) + 1.0 / 3.0 * pow(0.99, 2));
   TEST_ASSERT_TRUE(fabs(certificate.value - value) < 1e-12);
   TEST_ASSERT_TRUE(fabs(certificate.expected_time - 11.0 / 3.0) < 1e-12);
@@ -360,8 +361,8 @@ static void test_crowd_under_the_papers_rule_fits_the_games_arrays(void) {
   for (unsigned seekers = 2; seekers <= QTR_MAX_SEEKERS; seekers++) {
     draw_crowd(seekers);
     begin();
-    TEST_ASSERT_LESS_OR_EQUAL(QTR_MAX_CHOICES, qtr_learner_best(&learner)->choices);
-    TEST_ASSERT_EQUAL(mission.places + (seekers - 1) * (seekers - 1), qtr_learner_best(&learner)->choices);
+    TEST_ASSERT_LESS_OR_EQUAL(QTR_MAX_CHOICES, qtr_learner_best(learner)->choices);
+    TEST_ASSERT_EQUAL(mission.places + (seekers - 1) * (seekers - 1), qtr_learner_best(learner)->choices);
   }
 }
 
@@ -373,14 +374,16 @@ static void test_gap_that_is_no_number_is_refused(void) {
   begin();
   for (unsigned i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
     config.gap = wrong[i];
-    TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_learner_init(&learner, &ground, NULL, &config));
+    TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, learner_init(&learner, ground, NULL, &config));
   }
 }
 
 static void test_caller_of_another_build_is_refused(void) {
   mission_draw(&mission, "S1");
   begin();
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_CONFIG, qtr_learner_init_built(&learner, &ground, NULL, &config, QTR_CONFIG_ID + 1u));
+  const qtr_learner_blocks blocks = QTR_LEARNER_BLOCKS(learning_memory);
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_CONFIG,
+                        qtr_learner_init_built(&learner, &blocks, ground, NULL, &config, QTR_CONFIG_ID + 1u));
 }
 
 static void test_defaults_are_those_documented(void) {

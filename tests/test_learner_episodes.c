@@ -7,7 +7,7 @@
 #include "support/settings.h"
 #include "support/tables.h"
 
-static qtr_environment aggregate;
+static qtr_environment *aggregate;
 static qtr_certificate certificate;
 
 void setUp(void) {
@@ -24,7 +24,7 @@ static void begin(uint64_t seed, const qtr_environment *learnt_on) {
   config.seed = seed;
   config.gap = 0.0;
   config.exploration.first = config.exploration.last = 1.0;
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_learner_init(&table_learner, &table_ground, learnt_on, &config));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, learner_init(&table_learner, table_ground, learnt_on, &config));
 }
 
 static void set_up(const char *rows, uint8_t seekers) {
@@ -32,14 +32,14 @@ static void set_up(const char *rows, uint8_t seekers) {
   if (seekers > 0) mission_crew(&table_mission, seekers);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_mission_check(&table_mission, NULL));
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&table_game, &table_mission, &table_field, NULL));
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&table_ground, &table_game, NULL, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&table_ground, &table_game, &table_field));
 }
 
 /* Episodes alone: the steps that tune prices go by without one. */
 static void play_episodes(uint64_t episodes) {
   do {
-    TEST_ASSERT_EQUAL_INT(QTR_LEARNING, qtr_learner_step(&table_learner));
-    qtr_learner_certificate(&table_learner, &certificate);
+    TEST_ASSERT_EQUAL_INT(QTR_LEARNING, qtr_learner_step(table_learner));
+    qtr_learner_certificate(table_learner, &certificate);
   } while (certificate.episodes < episodes);
 }
 
@@ -57,14 +57,14 @@ static void test_last_choice_of_an_episode_is_backed_up(void) {
 static void test_first_episode_reports_what_it_learnt_however_bad(void) {
   unsigned worse = 0;
   set_up("1........S2.......3", 0);
-  qtr_play_by_rate(&table_learner.play, &table_game);
-  const double by_rate = table_learner.play.score.value;
+  qtr_play_by_rate(&table_learner->play, &table_game);
+  const double by_rate = table_learner->play.score.value;
   for (uint64_t seed = 1; seed <= 40; seed++) {
     begin(seed, NULL);
     play_episodes(1);
     worse += certificate.value < by_rate - 1e-9;
-    qtr_play_score(&table_learner.play, &table_game);
-    TEST_ASSERT_TRUE(certificate.value == table_learner.play.score.value); /* the greedy play of that episode */
+    qtr_play_score(&table_learner->play, &table_game);
+    TEST_ASSERT_TRUE(certificate.value == table_learner->play.score.value); /* the greedy play of that episode */
   }
   TEST_ASSERT_GREATER_THAN(5, worse);
 }
@@ -80,8 +80,8 @@ static void test_best_play_of_all_episodes_is_reported(void) {
     double best = certificate.value;
     for (uint64_t episode = 2; episode <= 30; episode++) {
       play_episodes(episode);
-      qtr_play_score(&table_learner.play, &table_game);
-      const double played = table_learner.play.score.value;
+      qtr_play_score(&table_learner->play, &table_game);
+      const double played = table_learner->play.score.value;
       worse += played < best;
       better += played > best;
       best = played > best ? played : best;
@@ -98,11 +98,11 @@ static void test_target_of_two_seekers_is_on_one_route(void) {
   qtr_aggregation how = aggregation_of(&spots, NULL);
   how.rule = QTR_RULE_PAPER;
   set_up("1.2..S", 2);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&aggregate, &table_game, &how, &table_field));
-  TEST_ASSERT_EQUAL(1, aggregate.targets.count);
-  begin(1, &aggregate);
+  TEST_ASSERT_EQUAL_INT(QTR_OK, aggregate_init(&aggregate, &table_game, &how, &table_field));
+  TEST_ASSERT_EQUAL(1, aggregate->targets.count);
+  begin(1, aggregate);
   play_episodes(3);
-  const qtr_play *best = qtr_learner_best(&table_learner);
+  const qtr_play *best = qtr_learner_best(table_learner);
   unsigned visits[2] = {0, 0};
   for (unsigned i = 0; i < best->choices; i++)
     if (best->choice[i] != QTR_STAND_DOWN) visits[best->choice[i]]++;

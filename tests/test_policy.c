@@ -81,7 +81,7 @@ static void test_table_is_read_at_any_address(void) {
     TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_open(&policy, shifted + shift, table_size));
     qtr_joint_start(&joint, &policy.board, NULL, NULL);
     TEST_ASSERT_TRUE(qtr_policy_lookup(&policy, &joint, &choice));
-    TEST_ASSERT_EQUAL_HEX16(qtr_learner_best(&table_learner)->choice[0], choice);
+    TEST_ASSERT_EQUAL_HEX16(qtr_learner_best(table_learner)->choice[0], choice);
   }
 }
 

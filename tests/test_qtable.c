@@ -5,14 +5,15 @@
 
 #include "core/bytes.h"
 #include "quarter/board.h"
-#include "quarter/qtable.h"
 #include "quarter/status.h"
+#include "search/qtable.h"
 #include "support/random.h"
 #include "unity.h"
 
 enum { POOL = 12000, MOST_NODES = QTR_MAX_PLACES + QTR_MAX_SEEKERS };
 
 static qtr_qtable table;
+static uint32_t words[QTR_QTABLE_WORDS];
 static qtr_board board;
 static uint8_t steps[4 * MOST_NODES * QTR_MAX_PLACES];
 static struct {
@@ -37,8 +38,8 @@ static void set_board(unsigned places, unsigned seekers, unsigned longest) {
   board.steps = steps;
   for (unsigned i = 0; i < (places + 1) * places; i++) store32_le(steps + 4 * i, longest);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
-  memset(table.word, 0xA5, 1 << 14);
-  qtr_qtable_init(&table, &board.keys, precise);
+  memset(words, 0xA5, 1 << 14);
+  qtr_qtable_init(&table, words, QTR_QTABLE_WORDS, &board.keys, precise);
 }
 
 /* Key number n: all different, all within the board's key bits, and spread over the words. */
@@ -82,7 +83,7 @@ static void expect_all_as_plain(void) {
   TEST_ASSERT_EQUAL_UINT32_MESSAGE(known, table.entries, case_note);
 }
 
-/* As if the array held so many slots alone. */
+/* As if the block held so many slots alone. */
 static void limit_slots(uint32_t slots) {
   if (slots >= table.slots_limit) return;
   table.slots_limit = slots;
@@ -163,12 +164,12 @@ static void test_full_table_refuses_counts_and_stays_right(void) {
   }
 }
 
-static void test_array_itself_bounds_the_table(void) {
+static void test_block_itself_bounds_the_table(void) {
   set_board(16, 4, 100);
   TEST_ASSERT_TRUE((uint64_t)table.slots_limit * table.entry_words <= QTR_QTABLE_WORDS);
   TEST_ASSERT_TRUE((uint64_t)(table.slots_limit + 1) * table.entry_words > QTR_QTABLE_WORDS);
 #ifdef QTR_PROFILE_MCU
-  snprintf(case_note, sizeof case_note, "array");
+  snprintf(case_note, sizeof case_note, "block");
   for (unsigned n = 0; n < POOL; n++) set_in_both(n, (double)n / 7.0);
   TEST_ASSERT_GREATER_THAN(0, table.refused);
   TEST_ASSERT_GREATER_OR_EQUAL(table.slots_limit * 9 / 10, table.entries);
@@ -176,11 +177,49 @@ static void test_array_itself_bounds_the_table(void) {
 #endif
 }
 
+/* Moved to a larger block whenever it asks for one: nothing is refused, and nothing is lost on the way. */
+static void test_table_that_grows_takes_what_a_large_one_takes(void) {
+  enum { AHEAD = 100 };
+  static uint32_t other[QTR_QTABLE_WORDS];
+  uint32_t *at = words;
+  size_t held = QTR_QTABLE_LEAST_WORDS;
+  unsigned moves = 0;
+  snprintf(case_note, sizeof case_note, "growing");
+  set_board(14, 2, 20);
+  const uint32_t most = table.slots_limit / 16 * 15 - 1;
+  qtr_qtable_init(&table, at, held, &board.keys, precise);
+  for (unsigned n = 0; n < POOL && n < most; n++) {
+    const size_t needed = qtr_qtable_needs(&table, AHEAD);
+    TEST_ASSERT_LESS_OR_EQUAL(QTR_QTABLE_WORDS, needed);
+    if (n % AHEAD == 0 && needed > held) {
+      uint32_t *to = at == words ? other : words;
+      memcpy(to, at, held * sizeof *to);
+      memset(at, 0xA5, held * sizeof *at);
+      TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_qtable_move(&table, to, needed));
+      at = to;
+      held = needed;
+      moves++;
+    }
+    set_in_both(n, (double)n / 7.0);
+  }
+  TEST_ASSERT_GREATER_THAN(2, moves);
+  TEST_ASSERT_EQUAL_UINT32(0, table.refused);
+  expect_all_as_plain();
+}
+
+static void test_table_moves_to_no_smaller_block(void) {
+  set_board(14, 2, 20);
+  const size_t used = (size_t)table.slots * table.entry_words;
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_SPACE, qtr_qtable_move(&table, words, used - 1));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_SPACE, qtr_qtable_move(&table, NULL, QTR_QTABLE_WORDS));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_qtable_move(&table, words, used));
+}
+
 static void test_init_empties_the_table(void) {
   double value;
   set_board(14, 2, 20);
   for (unsigned n = 0; n < 500; n++) set_in_both(n, 1.0);
-  qtr_qtable_init(&table, &board.keys, precise);
+  qtr_qtable_init(&table, words, QTR_QTABLE_WORDS, &board.keys, precise);
   TEST_ASSERT_EQUAL_UINT32(0, table.entries);
   TEST_ASSERT_EQUAL_UINT32(0, table.refused);
   for (unsigned n = 0; n < 500; n++) {
@@ -268,7 +307,9 @@ static void run_all(void) {
   RUN_TEST(test_growing_table_keeps_every_entry);
   RUN_TEST(test_tables_of_every_small_size_fill_and_stay_right);
   RUN_TEST(test_full_table_refuses_counts_and_stays_right);
-  RUN_TEST(test_array_itself_bounds_the_table);
+  RUN_TEST(test_block_itself_bounds_the_table);
+  RUN_TEST(test_table_that_grows_takes_what_a_large_one_takes);
+  RUN_TEST(test_table_moves_to_no_smaller_block);
   RUN_TEST(test_init_empties_the_table);
   RUN_TEST(test_greatest_keys_are_kept_apart_whatever_their_bits);
   RUN_TEST(test_value_rounded_up_is_the_least_that_bounds_it);

@@ -114,7 +114,7 @@ static void random_robots(const char *test, unsigned number) {
 
 /* Robot `self`'s own route in the learner's best game. */
 static unsigned best_route(unsigned self, uint16_t *route) {
-  const qtr_play *best = qtr_learner_best(&table_learner);
+  const qtr_play *best = qtr_learner_best(table_learner);
   unsigned length = 0;
   for (unsigned i = 0; i < best->choices; i++)
     if (best->seeker[i] == self && best->choice[i] != QTR_STAND_DOWN) route[length++] = best->choice[i];
@@ -144,7 +144,7 @@ static void test_robots_together_play_the_best_game(void) {
       TEST_ASSERT_EQUAL_UINT32_MESSAGE(0, seeker[self].division.off_table, case_note);
     }
     for (unsigned place = 0; place < policy[0].board.places; place++)
-      TEST_ASSERT_EQUAL_UINT32_MESSAGE(qtr_learner_best(&table_learner)->visit[place], visit[place], case_note);
+      TEST_ASSERT_EQUAL_UINT32_MESSAGE(qtr_learner_best(table_learner)->visit[place], visit[place], case_note);
   }
 }
 

@@ -5,7 +5,7 @@
 #include "support/tables.h"
 
 static uint64_t asked, allowed; /* times that the watch was asked, and may say yes */
-static qtr_environment aggregate;
+static qtr_environment *aggregate;
 static double optimum;
 
 void setUp(void) {
@@ -30,12 +30,12 @@ static void watch_mission(uint64_t times) {
 static void expect_valid(void) {
   qtr_certificate certificate;
   qtr_policy policy;
-  qtr_learner_certificate(&table_learner, &certificate);
+  qtr_learner_certificate(table_learner, &certificate);
   const double sign = table_mission.aim.kind == QTR_TIME ? -1.0 : 1.0;
   const double slack = 2e-5 * optimum; /* within which it is known */
   TEST_ASSERT_TRUE_MESSAGE(sign * certificate.bound >= sign * optimum - slack, case_note);
   TEST_ASSERT_TRUE_MESSAGE(sign * certificate.objective <= sign * optimum + slack, case_note);
-  qtr_play again = *qtr_learner_best(&table_learner);
+  qtr_play again = *qtr_learner_best(table_learner);
   for (unsigned place = 0; place < QTR_MAX_PLACES; place++) again.visit[place] = QTR_NEVER;
   qtr_play_score(&again, &table_game);
   TEST_ASSERT_TRUE_MESSAGE(again.score.value == certificate.value, case_note);
@@ -48,7 +48,7 @@ static void expect_valid(void) {
 static bool make_spots(void) {
   const qtr_spots_config spots = spot_limits(4, 6, 0.0);
   const qtr_aggregation how = aggregation_of(&spots, NULL);
-  const int status = qtr_environment_init(&aggregate, &table_game, &how, &table_field);
+  const int status = aggregate_init(&aggregate, &table_game, &how, &table_field);
   if (status == QTR_OK) return true;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_ERR_STOPPED, status, case_note);
   TEST_ASSERT_TRUE_MESSAGE(asked > allowed, case_note);
@@ -64,18 +64,17 @@ static bool run(bool spots, uint8_t setting) {
   if (status == QTR_ERR_STOPPED) TEST_ASSERT_LESS_THAN_MESSAGE(table_mission.places, table_game.measured, case_note);
   if (status == QTR_ERR_STOPPED) return false;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, status, case_note);
-  const qtr_environment *on = spots && make_spots() ? &aggregate : NULL;
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&table_ground, &table_game, NULL, &table_field),
-                                case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&table_learner, &table_ground, on, &config), case_note);
+  const qtr_environment *on = spots && make_spots() ? aggregate : NULL;
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&table_ground, &table_game, &table_field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, learner_init(&table_learner, table_ground, on, &config), case_note);
   const int most = setting == QTR_SETTING_PAPER ? 30 : 2000;
-  for (int steps = 0; steps < most && asked <= allowed && qtr_learner_step(&table_learner) == QTR_LEARNING; steps++) {}
+  for (int steps = 0; steps < most && asked <= allowed && qtr_learner_step(table_learner) == QTR_LEARNING; steps++) {}
   return true;
 }
 
 static void go_on_to_the_end(void) {
   allowed = UINT64_MAX;
-  for (int steps = 0; steps < 5000 && qtr_learner_step(&table_learner) == QTR_LEARNING; steps++) {}
+  for (int steps = 0; steps < 5000 && qtr_learner_step(table_learner) == QTR_LEARNING; steps++) {}
   expect_valid();
 }
 
@@ -90,7 +89,7 @@ static uint64_t learn_unstopped(bool spots, uint8_t setting) {
   qtr_certificate certificate;
   watch_mission(UINT64_MAX);
   TEST_ASSERT_TRUE(run(false, QTR_SETTING_CERTIFIED));
-  qtr_learner_certificate(&table_learner, &certificate);
+  qtr_learner_certificate(table_learner, &certificate);
   TEST_ASSERT_TRUE_MESSAGE(certificate.gap <= 1e-5, case_note);
   optimum = certificate.objective;
   watch_mission(UINT64_MAX);
@@ -110,8 +109,8 @@ static void stop_everywhere(const char *test, bool spots, uint8_t setting, bool 
       if (!goes_on) continue;
       go_on_to_the_end();
       TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(2e-5 * optimum, optimum,
-                                        table_mission.aim.kind == QTR_TIME ? table_learner.best.score.expected_time
-                                                                           : table_learner.best.score.value,
+                                        table_mission.aim.kind == QTR_TIME ? table_learner->best.score.expected_time
+                                                                           : table_learner->best.score.value,
                                         case_note);
     }
   }

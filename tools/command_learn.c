@@ -3,7 +3,6 @@
 #include "carray.h"
 #include "commands.h"
 #include "curve.h"
-#include "host/base/memory.h"
 #include "host/base/outfile.h"
 #include "host/base/stop.h"
 #include "host/plan/progress.h"
@@ -80,14 +79,14 @@ static int search(report *r, const options *o, fault *why) {
   if (curve_begin(&course, o->curve, why) != 0) return -1;
   progress_begin(&shown, o->quiet, o->time_limit, o->plan.learner.gap);
   while (r->ended == NULL) {
-    const enum qtr_learning learning = qtr_learner_step(&learnt->learner);
-    qtr_learner_certificate(&learnt->learner, &r->certificate);
+    const enum qtr_learning learning = study_step(learnt);
+    qtr_learner_certificate(learnt->learner, &r->certificate);
     progress_show(&shown, &r->certificate, stop_seconds());
-    curve_note(&course, &learnt->learner, &r->certificate);
+    curve_note(&course, learnt->learner, &r->certificate);
     r->ended = find_end(learning, o, r->certificate.episodes);
   }
   progress_end(&shown);
-  return curve_end(&course, &learnt->learner, &r->certificate, why);
+  return curve_end(&course, learnt->learner, &r->certificate, why);
 }
 
 static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bool as_c, fault *why) {
@@ -105,9 +104,9 @@ static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *
   r->anywhere = o->plan.any_starts || o->plan.any_cleared;
   stop_after(o->time_limit);
   if (r->anywhere) return anywhere_learn(learnt, &o->plan, bytes, &r->any, why);
-  const uint32_t size = qtr_export_size(&learnt->learner);
+  const uint32_t size = qtr_export_size(learnt->learner);
   *bytes = malloc(size);
-  const int32_t written = *bytes != NULL ? qtr_export(&learnt->learner, *bytes, size) : QTR_ERR_SPACE;
+  const int32_t written = *bytes != NULL ? qtr_export(learnt->learner, *bytes, size) : QTR_ERR_SPACE;
   if (written > 0) return (uint32_t)written;
   free(*bytes);
   fault_set(why, "no policy table can be made: %s", qtr_strerror(written));
@@ -137,10 +136,11 @@ static int write_table(report *r, const options *o, fault *why) {
 
 /* Of what was learnt on, and how large it became. */
 static void count(report *r, const options *o) {
-  r->regions = aggregate_by_regions(o->plan.aggregate.way) && learnt->aggregated ? learnt->regions.count : 0;
-  r->spots = aggregate_by_spots(o->plan.aggregate.way) && learnt->aggregated ? learnt->aggregate.targets.count : 0;
-  r->q_entries = learnt->learner.table.entries;
-  r->q_bytes = (uint64_t)learnt->learner.table.entries * qtr_qtable_entry_bytes(&learnt->learner.table);
+  r->regions = aggregate_by_regions(o->plan.aggregate.way) && learnt->aggregated ? learnt->regions->count : 0;
+  r->spots =
+      aggregate_by_spots(o->plan.aggregate.way) && learnt->aggregated ? qtr_environment_targets(learnt->aggregate) : 0;
+  r->q_entries = qtr_learner_entries(learnt->learner);
+  r->q_bytes = (uint64_t)r->q_entries * qtr_learner_entry_bytes(learnt->learner);
 }
 
 /* What the table cannot hold in its first format. */
@@ -157,9 +157,20 @@ static void note_limits(const options *o) {
   notes_print(&in->note, before);
 }
 
+static void note_cramped(void) {
+  input *in = &learnt->p.in;
+  const int before = in->note.count;
+  if (!learnt->cramped) return;
+  notes_add(&in->note,
+            "%s: there was no memory for more Q entries; what is proven holds, but more memory (ulimit -v) would close "
+            "the gap sooner",
+            in->path);
+  notes_print(&in->note, before);
+}
+
 static int learn(const options *o, report *r, fault *why) {
   stop_after(o->time_limit);
-  learnt = memory_take(sizeof *learnt, why);
+  learnt = study_take(why);
   if (learnt == NULL || prepare_problem(&learnt->p, o, why) != 0) return -1;
   note_limits(o);
   stop_after(o->time_limit * (o->plan.any_starts || o->plan.any_cleared ? SEARCH_SHARE : 1.0));
@@ -167,6 +178,7 @@ static int learn(const options *o, report *r, fault *why) {
   if (study_begin(learnt, &o->plan, why) != 0) return -1;
   *r = (report){.command = "learn", .o = o, .p = &learnt->p};
   if (search(r, o, why) != 0) return -1;
+  note_cramped();
   r->seconds = stop_seconds() - begin + learnt->p.travel_seconds;
   count(r, o);
   if (write_table(r, o, why) != 0) return -1;

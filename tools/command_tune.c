@@ -5,7 +5,6 @@
 #include "host/base/clock.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
-#include "host/base/memory.h"
 #include "host/base/stop.h"
 #include "host/input/words.h"
 #include "host/plan/progress.h"
@@ -131,12 +130,12 @@ static int learn_try(try *t, const plan_config *asked, uint64_t episodes, fault 
   plan_config config = *asked;
   config.aggregate = t->how;
   if (study_begin(tuned, &config, why) != 0) return -1;
-  do qtr_learner_certificate(&tuned->learner, &t->certificate);
-  while (!stop_asked() && t->certificate.episodes < episodes && qtr_learner_step(&tuned->learner) == QTR_LEARNING);
-  qtr_learner_certificate(&tuned->learner, &t->certificate);
-  t->entries = tuned->learner.table.entries;
-  t->regions = aggregate_by_regions(t->how.way) && tuned->aggregated ? tuned->regions.count : 0;
-  t->spots = aggregate_by_spots(t->how.way) && tuned->aggregated ? tuned->aggregate.targets.count : 0;
+  do qtr_learner_certificate(tuned->learner, &t->certificate);
+  while (!stop_asked() && t->certificate.episodes < episodes && study_step(tuned) == QTR_LEARNING);
+  qtr_learner_certificate(tuned->learner, &t->certificate);
+  t->entries = qtr_learner_entries(tuned->learner);
+  t->regions = aggregate_by_regions(t->how.way) && tuned->aggregated ? tuned->regions->count : 0;
+  t->spots = aggregate_by_spots(t->how.way) && tuned->aggregated ? qtr_environment_targets(tuned->aggregate) : 0;
   return 0;
 }
 
@@ -187,7 +186,7 @@ static int learn_all(const options *o, fault *why) {
 
 static int tune(const options *o, fault *why) {
   stop_after(o->time_limit);
-  tuned = memory_take(sizeof *tuned, why);
+  tuned = study_take(why);
   if (tuned == NULL) return -1;
   tuned->measuring = true;
   if (prepare_problem(&tuned->p, o, why) != 0) return -1;

@@ -5,7 +5,7 @@
 static void write_row(curve *c, const qtr_learner *learner, const qtr_certificate *certificate) {
   fprintf(c->out.file, "%" PRIu64 ",%.9g,%.9g,%.9g,%.9g,%" PRIu64 ",%" PRIu32 "\n", certificate->episodes,
           certificate->max_q, certificate->value, certificate->expected_time, certificate->bound, certificate->updates,
-          learner->table.entries);
+          qtr_learner_entries(learner));
   c->episodes = certificate->episodes;
   c->max_q = certificate->max_q;
   c->value = certificate->value;

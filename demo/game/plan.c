@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "host/base/clock.h"
-#include "host/base/memory.h"
 #include "host/base/outfile.h"
 #include "host/base/stop.h"
 #include "host/plan/study.h"
@@ -23,16 +22,15 @@ static plan_config asked;
 int plan_read(const char *mission, int robots, fault *why) {
   plan_config_default(&asked);
   asked.reading.robots = robots;
-  free(learnt);
-  learnt = memory_take(sizeof *learnt, why);
+  study_drop(learnt);
+  learnt = study_take(why);
   if (learnt == NULL || problem_load(&learnt->p, mission, &asked, why) != 0) return -1;
   return problem_measure(&learnt->p, &asked, why);
 }
 
 static void learn(double seconds) {
   const double begin = clock_seconds();
-  while (!stop_asked() && qtr_learner_step(&learnt->learner) == QTR_LEARNING && clock_seconds() - begin < seconds)
-    continue;
+  while (!stop_asked() && study_step(learnt) == QTR_LEARNING && clock_seconds() - begin < seconds) continue;
 }
 
 static int not_learnt(int status, fault *why) {
@@ -47,10 +45,10 @@ static int learn_table(table *t, double seconds, fault *why) {
   if (study_begin(learnt, &asked, why) != 0) return -1;
   learn(seconds);
   if (stop_asked()) return not_learnt(QTR_ERR_STOPPED, why);
-  const uint32_t size = qtr_export_size(&learnt->learner);
+  const uint32_t size = qtr_export_size(learnt->learner);
   t->bytes.data = malloc(size);
   t->bytes.size = size;
-  int32_t status = t->bytes.data != NULL ? qtr_export(&learnt->learner, t->bytes.data, size) : QTR_ERR_SPACE;
+  int32_t status = t->bytes.data != NULL ? qtr_export(learnt->learner, t->bytes.data, size) : QTR_ERR_SPACE;
   if (status > 0) status = qtr_policy_open(&t->policy, t->bytes.data, size);
   if (status == QTR_OK) return 0;
   table_free(t);

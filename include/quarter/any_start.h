@@ -24,7 +24,7 @@
 #include <stdint.h>
 
 #include "quarter/game.h"
-#include "quarter/refine.h"
+#include "quarter/play.h"
 #include "quarter/regions.h"
 #include "quarter/writer.h"
 

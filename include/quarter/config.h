@@ -81,6 +81,8 @@
 #endif
 #endif
 
+#define QTR_QTABLE_LEAST_WORDS 1024 /* that a table can begin with */
+
 /* Learner: time slots of the price bound. A mission whose search takes more steps is bounded in slots of several
  * steps, which stays valid and is less tight. Memory: 18 bytes for every slot and place. */
 #ifndef QTR_BOUND_SLOTS
@@ -100,7 +102,7 @@
 #if QTR_MAX_PLACES > 4096
 #error "QTR_MAX_PLACES must be at most 4096: a key's length is counted in 8 bits, a travel time's place in 32"
 #endif
-#if QTR_QTABLE_WORDS < 1024
+#if QTR_QTABLE_WORDS < QTR_QTABLE_LEAST_WORDS
 #error "QTR_QTABLE_WORDS must be 1024 or more"
 #endif
 #if QTR_MAX_SEEKERS < 1 || QTR_MAX_SEEKERS > 64

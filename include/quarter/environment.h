@@ -17,8 +17,7 @@
 #include "quarter/config.h"
 #include "quarter/game.h"
 #include "quarter/regions.h"
-#include "quarter/sight.h"
-#include "quarter/target.h"
+#include "quarter/spots.h"
 
 /* The aggregation unit's settings. */
 typedef struct {
@@ -38,57 +37,31 @@ void qtr_aggregation_default(qtr_aggregation *how);
  * spots that are asked for. */
 int qtr_aggregation_check(const qtr_aggregation *how);
 
-/* Large: keep it in static storage. */
-typedef struct {
-  const qtr_game *game;
-  qtr_targets targets;
-  qtr_sight sight;
-  qtr_board board;                                   /* the joint game over the targets */
-  qtr_key_shape keys;                                /* of what is seen of it */
-  uint8_t reach[4 * QTR_MAX_NODES * QTR_MAX_PLACES]; /* the board's travel times: the longest between targets */
-} qtr_environment;
+/* Stands in a block of the caller's, and lives as long as that. */
+typedef struct qtr_environment qtr_environment;
 
-/* A moment. */
-typedef struct {
-  qtr_joint joint;                /* over the targets */
-  qtr_steps now;                  /* since the start */
-  double unvisited;               /* probability of the places left */
-  uint16_t at[QTR_MAX_SEEKERS];   /* idle: the node where it is; on its way: the first place of its tour */
-  qtr_walk walk[QTR_MAX_SEEKERS]; /* with regions: where it truly is */
-} qtr_situation;
+/* Bytes of the block that an environment over a game takes; with regions, which are divided already, that is most of it.
+ * `how` NULL: no aggregation. */
+size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how);
 
-/* Set an environment up over a game. `how` NULL: no aggregation, and the rule is the mission's. `field` is scratch. Game
- * and regions must outlive it. QTR_OK, or an error of qtr_aggregation_check() or qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way;
- * QTR_ERR_CONFIG if the caller was built under other sizes; QTR_ERR_STOPPED by the mission's watch, never without
- * aggregation: the environment is of no use then. */
-#define qtr_environment_init(environment, game, how, field)                                                            \
-  qtr_environment_init_built(environment, game, how, field, QTR_CONFIG_ID)
-int qtr_environment_init_built(qtr_environment *environment, const qtr_game *game, const qtr_aggregation *how,
-                               qtr_field *field, uint32_t config_id);
+/* At most, for blocks in static storage: without regions, and with them. */
+#define QTR_ENVIRONMENT_BYTES                                                                                          \
+  (sizeof(qtr_board) + 2 * sizeof(qtr_spots) + sizeof(qtr_spot_scratch) +                                              \
+   (size_t)QTR_MAX_PLACES * (8 * QTR_MAX_SPOT_SIZE + 6 * QTR_MAX_NODES + 16) + 256)
+#define QTR_ENVIRONMENT_REGIONS_BYTES                                                                                  \
+  (QTR_ENVIRONMENT_BYTES + (size_t)QTR_MAX_PLACES * (sizeof(qtr_steps) * QTR_MAX_REGIONS + (QTR_MAX_CELLS + 3) / 4))
 
-/* The first situation. */
-void qtr_environment_start(const qtr_environment *environment, qtr_situation *situation);
+/* Set an environment up over a game, in a block of so many bytes, aligned as for a uint64_t. `how` NULL: no aggregation, and
+ * the rule is the mission's. `field` is scratch. Game, regions and block must outlive it. QTR_OK, and then alone
+ * `*environment` is set; QTR_ERR_SPACE for a block of fewer bytes than qtr_environment_bytes(), QTR_ERR_ARGUMENT for one that
+ * is not aligned; an error of qtr_aggregation_check() or qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way; QTR_ERR_CONFIG if the caller was
+ * built under other sizes; QTR_ERR_STOPPED by the mission's watch, never without aggregation. */
+#define qtr_environment_init(environment, block, bytes, game, how, field)                                              \
+  qtr_environment_init_built(environment, block, bytes, game, how, field, QTR_CONFIG_ID)
+int qtr_environment_init_built(qtr_environment **environment, void *block, size_t bytes, const qtr_game *game,
+                               const qtr_aggregation *how, qtr_field *field, uint32_t config_id);
 
-/* `seeker`, whose turn it is, makes an allowed choice: a target, or to stand down. Returns the reward of a place at no
- * distance. Nothing happens, and 0, for a seeker or target that is none or has no way. */
-double qtr_environment_choose(const qtr_environment *environment, qtr_situation *situation, int seeker,
-                              uint16_t choice);
-
-/* Let time pass until somebody is to choose or the game is over (Eq. 4.7). */
-void qtr_environment_pass(const qtr_environment *environment, qtr_situation *situation, qtr_outcome *outcome);
-
-/* The key of a situation in the Q-table. */
-void qtr_environment_key(const qtr_environment *environment, const qtr_situation *situation, qtr_key *key);
-
-/* Likelihood for a step of the way: a target's, from a node, by exact times; 0 if there is no way, node or target. */
-double qtr_environment_rate(const qtr_environment *environment, unsigned node, unsigned target);
-
-/* The place at which the seeker on its way, or idle, will next be free; a node. QTR_STAND_DOWN for a seeker that is none. */
-unsigned qtr_environment_exit(const qtr_environment *environment, const qtr_situation *situation, unsigned seeker);
-
-/* Step at which a seeker on its way visits place `i` of its tour, counted from now; 0: visited already, or there is no such
- * seeker or place. */
-qtr_steps qtr_environment_visit(const qtr_environment *environment, const qtr_situation *situation, unsigned seeker,
-                                unsigned i);
+/* How many targets there are to choose from: places, or spots. */
+unsigned qtr_environment_targets(const qtr_environment *environment);
 
 #endif

@@ -27,19 +27,4 @@ void qtr_exploration_default(qtr_exploration_plan *plan);
 /* QTR_OK, or QTR_ERR_ARGUMENT for a plan out of its ranges, or not from its default. */
 int qtr_exploration_check(const qtr_exploration_plan *plan);
 
-typedef struct {
-  qtr_exploration_plan plan;
-  double rate;
-  uint64_t random;
-} qtr_explorer;
-
-/* QTR_OK, or what qtr_exploration_check() says of the plan. The same seed explores in the same way, bit for bit. */
-int qtr_explorer_init(qtr_explorer *explorer, const qtr_exploration_plan *plan, uint64_t seed);
-
-/* The index of the choice to take among `count`, 1 or more, with these Q. 0 for none. */
-unsigned qtr_explorer_pick(qtr_explorer *explorer, const double *q, unsigned count);
-
-/* An episode is over: the rate goes on. */
-void qtr_explorer_next(qtr_explorer *explorer);
-
 #endif

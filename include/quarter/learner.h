@@ -11,25 +11,29 @@
  * + alpha backup (Eq. 4.7). After each episode the greedy policy is played; the best one played is the result, and the
  * prices alone bound it.
  *
- *   qtr_learner_init(&learner, &game, &config);
- *   while (qtr_learner_step(&learner) == QTR_LEARNING) { qtr_learner_certificate(&learner, &certificate); ... }
+ * All memory is the caller's, in blocks. With those of any mission of the build, in static storage, as firmware has them:
+ *
+ *   static qtr_learner_memory memory;
+ *   qtr_environment *ground;
+ *   qtr_learner *learner;
+ *   qtr_environment_init(&ground, memory.ground, sizeof memory.ground, &game, NULL, &field);
+ *   const qtr_learner_blocks blocks = QTR_LEARNER_BLOCKS(memory);
+ *   qtr_learner_init(&learner, &blocks, ground, NULL, &config);
+ *   while (qtr_learner_step(learner) == QTR_LEARNING) { qtr_learner_certificate(learner, &certificate); ... }
  */
 #ifndef QUARTER_LEARNER_H
 #define QUARTER_LEARNER_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
-#include "quarter/bound.h"
 #include "quarter/config.h"
 #include "quarter/environment.h"
 #include "quarter/explore.h"
 #include "quarter/game.h"
-#include "quarter/joint.h"
 #include "quarter/play.h"
 #include "quarter/policy.h"
-#include "quarter/qtable.h"
-#include "quarter/refine.h"
 
 #define QTR_LEAST_GAP 1e-12 /* a smaller gap is taken for this one: two sums that are equal may differ by as much */
 #define QTR_FLOAT_GAP 1e-6  /* below, the Q-table holds doubles, at 4 bytes more an entry: floats would keep it open */
@@ -80,60 +84,52 @@ typedef struct {
   uint32_t price_steps; /* subgradient steps of the bound */
 } qtr_certificate;
 
-/* The choices of a state, each with its Q and the entry that it is stored under. */
-typedef struct {
-  unsigned count;
-  uint16_t choice[QTR_MAX_PLACES + 1];
-  double q[QTR_MAX_PLACES + 1];
-  double at_once[QTR_MAX_PLACES + 1]; /* reward without time passing, part of Q and not of the entry */
-  qtr_key key[QTR_MAX_PLACES + 1];    /* of the joint state after the choice */
-} qtr_candidates;
+/* ---- memory ---- */
 
-/* One choice of the episode under way, as the backup needs it. */
-typedef struct {
-  qtr_key key;      /* of its entry */
-  double q;         /* of the choice made */
-  double runner_up; /* largest Q of the other choices */
-  double at_once;   /* as in the candidates */
-  uint16_t first;   /* place that the choice leads to first */
-  qtr_outcome outcome;
-} qtr_trace;
+/* Stands in the workspace, and lives as long as that. */
+typedef struct qtr_learner qtr_learner;
 
-/* What a learner is at. The paper setting has no use for an aggregate's prices. */
-enum qtr_phase { QTR_PHASE_GROUND_PRICES = 0, QTR_PHASE_AGGREGATE_PRICES = 1, QTR_PHASE_EPISODES = 2 };
-
-/* Large: keep it in static storage. */
+/* The caller's memory for a learner. It must outlive the learner, and is nobody else's. */
 typedef struct {
-  const qtr_game *game;
-  const qtr_environment *ground;      /* the game itself */
-  const qtr_environment *environment; /* what is learnt on: the ground, or an aggregate of it */
-  qtr_learner_config config;
-  qtr_play best;
-  double upper;        /* certified: the largest Q of the first state; paper: the prices' bound */
-  double ground_upper; /* the bound on the game itself, from its prices */
-  double max_q;        /* paper: the largest Q of the first state after the last episode */
-  uint8_t phase;       /* enum qtr_phase */
-  uint64_t episodes, updates;
-  qtr_play play;
-  qtr_routes routes;
-  qtr_refinery refinery;
-  qtr_explorer explorer;
-  qtr_candidates candidates;
-  qtr_trace trace[QTR_MAX_CHOICES];
-  uint8_t records[QTR_MAX_CHOICES * QTR_RECORD_BYTES]; /* for the export */
-  qtr_bound bound;
-  qtr_qtable table;
-} qtr_learner;
+  void *work;         /* the workspace, aligned as for a uint64_t */
+  size_t work_bytes;  /* qtr_learner_bytes() at the least */
+  uint32_t *table;    /* the Q-table */
+  size_t table_words; /* QTR_QTABLE_LEAST_WORDS at the least; more than QTR_QTABLE_WORDS are not used */
+} qtr_learner_blocks;
+
+/* Bytes of the workspace that learning a game takes, on whatever aggregate of it. */
+size_t qtr_learner_bytes(const qtr_game *game);
+
+/* At most: what the bound's prices, the game under way and the search on it take, then the bound's gains. */
+#define QTR_LEARNER_BYTES                                                                                              \
+  (2 * sizeof(qtr_play) + 2 * sizeof(qtr_routes) + QTR_MAX_CHOICES * (sizeof(qtr_key) + QTR_RECORD_BYTES + 56) +       \
+   (size_t)QTR_MAX_PLACES * (sizeof(qtr_key) + 64 + 4 * (QTR_MAX_NODES + QTR_MAX_PLACES) + 24 * QTR_BOUND_SLOTS) +     \
+   1024)
+
+/* All blocks for any mission of the build; large, keep it in static storage. Who never learns on an aggregate, or on none with
+ * regions, declares smaller ones by the same sizes. */
+typedef struct {
+  uint64_t ground[(QTR_ENVIRONMENT_BYTES + 7) / 8];
+  uint64_t aggregate[(QTR_ENVIRONMENT_REGIONS_BYTES + 7) / 8];
+  uint64_t work[(QTR_LEARNER_BYTES + 7) / 8];
+  uint32_t table[QTR_QTABLE_WORDS];
+} qtr_learner_memory;
+
+/* A learner's own, as the initialiser of a qtr_learner_blocks. */
+#define QTR_LEARNER_BLOCKS(memory) {(memory).work, sizeof(memory).work, (memory).table, QTR_QTABLE_WORDS}
+
+/* ---- learning ---- */
 
 /* Begin, on the ground (an environment without aggregation) or on an aggregate of the same game (NULL: none). Then the
  * game must have the free rule: what was learnt on the aggregate is played on the ground as routes. Both environments
- * must outlive the learner. QTR_OK, QTR_ERR_ARGUMENT for a config that fails its check or the certified setting on regions, whose
- * times are no bound, or QTR_ERR_CONFIG if the caller was built under other array sizes. There is a first game in any case:
- * a stop by the mission's watch leaves it as it is, with a bound that is not tight. */
-#define qtr_learner_init(learner, ground, aggregate, config)                                                           \
-  qtr_learner_init_built(learner, ground, aggregate, config, QTR_CONFIG_ID)
-int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, const qtr_environment *aggregate,
-                           const qtr_learner_config *config, uint32_t config_id);
+ * must outlive the learner. QTR_OK, and then alone `*learner` is set; QTR_ERR_SPACE for a block that is smaller than it says
+ * above, QTR_ERR_ARGUMENT for one that is not aligned, a config that fails its check or the certified setting on regions, whose times
+ * are no bound; QTR_ERR_CONFIG if the caller was built under other array sizes. There is a first game in any case: a stop by
+ * the mission's watch leaves it as it is, with a bound that is not tight. */
+#define qtr_learner_init(learner, blocks, ground, aggregate, config)                                                   \
+  qtr_learner_init_built(learner, blocks, ground, aggregate, config, QTR_CONFIG_ID)
+int qtr_learner_init_built(qtr_learner **learner, const qtr_learner_blocks *blocks, const qtr_environment *ground,
+                           const qtr_environment *aggregate, const qtr_learner_config *config, uint32_t config_id);
 
 /* Learn a little more: some steps of the bound's prices, or one episode. May be stopped after any step, or within
  * one by the mission's watch: what is known stays so, and learning can go on. Calling it again after the end does nothing. */
@@ -144,5 +140,19 @@ void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certif
 
 /* The best game played so far; lives as long as the learner and changes with its steps. */
 const qtr_play *qtr_learner_best(const qtr_learner *learner);
+
+/* ---- the Q-table ---- */
+
+/* Entries in it, and bytes that each takes, key and value. */
+uint32_t qtr_learner_entries(const qtr_learner *learner);
+uint32_t qtr_learner_entry_bytes(const qtr_learner *learner);
+
+/* For a table that grows as it is learnt: words that it needs to stand in so that the next step finds room for all that it
+ * learns, as it would in QTR_QTABLE_WORDS. Never more than those. */
+size_t qtr_learner_table_needs(const qtr_learner *learner);
+
+/* The table stands in another block now, no smaller, whose start holds what the old one held (as realloc() leaves it). Between
+ * steps alone. QTR_OK, or QTR_ERR_SPACE with nothing changed if it is smaller. */
+int qtr_learner_move_table(qtr_learner *learner, uint32_t *table, size_t words);
 
 #endif

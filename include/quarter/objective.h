@@ -5,7 +5,7 @@
  *   discounted      w P gamma^max(t-1, 0), w = 10        (paper, Eq. 4.2)
  *   expected time   -P t, and every place must be visited
  *
- * Both worths fall with t, which is what the bounds rest on (quarter/bound.h); and both can be taken apart at any moment
+ * Both worths fall with t, which is what the bounds rest on (lib/search/bound.h); and both can be taken apart at any moment
  * into what came before it and what comes after, counted from there, which is what backups rest on (Eq. 4.7).
  */
 #ifndef QUARTER_OBJECTIVE_H

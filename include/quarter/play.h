@@ -2,11 +2,11 @@
 #ifndef QUARTER_PLAY_H
 #define QUARTER_PLAY_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "quarter/config.h"
 #include "quarter/game.h"
-#include "quarter/refine.h"
 
 /* A game has no more choices than this: each place is chosen once, and each seeker stands down once. Under the paper's rule
  * seekers follow others when no place is left for them alone: then no more places than seekers are left, and each seeker
@@ -21,6 +21,19 @@ typedef struct {
   qtr_score score;
 } qtr_play;
 
+/* What a route brings. Of two that are worth the same as far as a sum can tell, because what they differ in is discounted
+ * away, the one with less expected time is better. */
+typedef struct {
+  double worth; /* under the mission's objective; -HUGE_VAL if a place on it cannot be reached */
+  double time;  /* its share of the expected time, steps */
+} qtr_route_score;
+
+typedef struct {
+  uint16_t length[QTR_MAX_SEEKERS];
+  uint16_t place[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
+  qtr_route_score score[QTR_MAX_SEEKERS];
+} qtr_routes;
+
 /* Begin an empty play. */
 void qtr_play_begin(qtr_play *play);
 
@@ -32,6 +45,9 @@ void qtr_play_score(qtr_play *play, const qtr_game *game);
 
 /* A game to have something to improve on: always the most likely place for the way. Scored. */
 void qtr_play_by_rate(qtr_play *play, const qtr_game *game);
+
+/* Whether no place is on two routes, or on one twice. */
+bool qtr_routes_are_division(const qtr_routes *routes, unsigned seekers);
 
 /* The game in which each seeker follows its route and stands down at its end. Free rule alone. Scored. */
 void qtr_play_routes(qtr_play *play, const qtr_game *game, const qtr_routes *routes);

@@ -79,6 +79,13 @@ static inline qtr_region qtr_regions_of(const qtr_regions *regions, qtr_cell cel
   return cell < regions->cells ? regions->of[cell] : QTR_NO_REGION;
 }
 
+/* Where the travel times of a seeker seen in a region are taken from. */
+enum qtr_region_times {
+  QTR_TIMES_STANDING = 0, /* the region's representative: alike for all of the region (section 5.2.3) */
+  QTR_TIMES_TRUE =
+      1 /* the seeker's own cell: the section's first solution, whose Q may go to and fro. To show just that */
+};
+
 /* The cell that stands for a free cell: where its travel times are taken from (section 5.2.3). QTR_NO_CELL for others. */
 static inline qtr_cell qtr_regions_standing(const qtr_regions *regions, qtr_cell cell) {
   const qtr_region region = qtr_regions_of(regions, cell);

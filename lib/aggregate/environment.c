@@ -1,7 +1,8 @@
-#include "quarter/environment.h"
+#include "aggregate/environment.h"
 
 #include <stddef.h>
 
+#include "core/block.h"
 #include "core/bytes.h"
 #include "model/settings.h"
 #include "quarter/status.h"
@@ -103,23 +104,41 @@ static int make_targets(qtr_environment *e, const qtr_aggregation *how) {
   return QTR_OK;
 }
 
+/* What sight by regions needs stands behind the environment itself. */
 static int make_sight(qtr_environment *e, const qtr_aggregation *how, qtr_field *field) {
   if (how != NULL && how->regions != NULL)
-    return qtr_sight_by_regions(&e->sight, e->game, how->regions, how->region_times, field);
+    return qtr_sight_by_regions(&e->sight, e + 1, e->game, how->regions, how->region_times, field);
   qtr_sight_exact(&e->sight, e->game);
   return QTR_OK;
 }
 
-int qtr_environment_init_built(qtr_environment *e, const qtr_game *game, const qtr_aggregation *how, qtr_field *field,
-                               uint32_t config_id) {
+/* The public header's sizes hold what stands here. */
+typedef char environment_fits[sizeof(qtr_environment) <= QTR_ENVIRONMENT_BYTES ? 1 : -1];
+
+size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how) {
+  const bool by_regions = how != NULL && how->regions != NULL;
+  return sizeof(qtr_environment) + (by_regions ? qtr_sight_bytes(game, how->regions->count) : 0);
+}
+
+int qtr_environment_init_built(qtr_environment **environment, void *block, size_t bytes, const qtr_game *game,
+                               const qtr_aggregation *how, qtr_field *field, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  e->game = game;
   int status = how != NULL ? qtr_aggregation_check(how) : QTR_OK;
-  if (status == QTR_OK) status = make_targets(e, how);
+  if (status == QTR_OK) status = block_check(block, bytes, qtr_environment_bytes(game, how));
+  if (status != QTR_OK) return status;
+  qtr_environment *e = block;
+  e->game = game;
+  status = make_targets(e, how);
   if (status == QTR_OK) status = make_board(e, how != NULL ? how->rule : game->board.rule);
   if (status == QTR_OK) status = make_sight(e, how, field);
-  if (status == QTR_OK) shape_keys(e);
-  return status;
+  if (status != QTR_OK) return status;
+  shape_keys(e);
+  *environment = e;
+  return QTR_OK;
+}
+
+unsigned qtr_environment_targets(const qtr_environment *e) {
+  return e->targets.count;
 }
 
 void qtr_environment_start(const qtr_environment *e, qtr_situation *s) {

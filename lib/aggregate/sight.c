@@ -1,10 +1,8 @@
-#include "quarter/sight.h"
+#include "aggregate/sight.h"
 
 #include <string.h>
 
 #include "quarter/status.h"
-
-#define WAY_BYTES ((QTR_MAX_CELLS + 3) / 4) /* two bits a cell */
 
 void qtr_sight_exact(qtr_sight *sight, const qtr_game *game) {
   sight->game = game;
@@ -17,8 +15,8 @@ void qtr_sight_exact(qtr_sight *sight, const qtr_game *game) {
 /* The true way, by which seekers go on unseen: a direction a cell, in two bits where a time takes 32. */
 static void note_way(qtr_sight *sight, const qtr_grid *grid, const qtr_field *field, unsigned place) {
   const uint32_t cells = qtr_grid_cells(grid);
-  uint8_t *way = sight->way + (size_t)place * WAY_BYTES;
-  memset(way, 0, (cells + 3) / 4);
+  uint8_t *way = sight->way + (size_t)place * sight->way_bytes;
+  memset(way, 0, sight->way_bytes);
   for (uint32_t cell = 0; cell < cells; cell++) {
     const qtr_cell next = qtr_field_next(field, grid, (qtr_cell)cell);
     if (qtr_grid_cost(grid, (qtr_cell)cell) == 0 || next == QTR_NO_CELL) continue;
@@ -28,13 +26,24 @@ static void note_way(qtr_sight *sight, const qtr_grid *grid, const qtr_field *fi
   }
 }
 
-int qtr_sight_by_regions(qtr_sight *sight, const qtr_game *game, const qtr_regions *regions, uint8_t times,
+static uint32_t way_bytes(const qtr_game *game) {
+  return (qtr_mission_cells(game->mission) + 3) / 4;
+}
+
+size_t qtr_sight_bytes(const qtr_game *game, uint32_t regions) {
+  return (size_t)game->board.places * (regions * sizeof(qtr_steps) + way_bytes(game));
+}
+
+int qtr_sight_by_regions(qtr_sight *sight, void *block, const qtr_game *game, const qtr_regions *regions, uint8_t times,
                          qtr_field *field) {
   const qtr_grid grid = qtr_mission_grid(game->mission);
   const unsigned places = game->board.places;
   sight->game = game;
   sight->regions = regions;
   sight->estimating = times == QTR_TIMES_STANDING;
+  sight->estimate = block;
+  sight->way = (uint8_t *)(sight->estimate + (size_t)regions->count * places);
+  sight->way_bytes = way_bytes(game);
   for (unsigned place = 0; place < places; place++) {
     if (!qtr_watch_go_on(&game->mission->watch)) return QTR_ERR_STOPPED;
     qtr_field_fill(field, &grid, game->mission->place[place]);
@@ -48,7 +57,7 @@ int qtr_sight_by_regions(qtr_sight *sight, const qtr_game *game, const qtr_regio
 /* ---- walks ---- */
 
 static qtr_cell next_cell(const qtr_sight *sight, const qtr_grid *grid, qtr_cell cell, unsigned place) {
-  const uint8_t *way = sight->way + (size_t)place * WAY_BYTES;
+  const uint8_t *way = sight->way + (size_t)place * sight->way_bytes;
   return qtr_grid_neighbour(grid, cell, (enum qtr_direction)((unsigned)way[cell / 4] >> 2 * (cell % 4) & 3u));
 }
 

@@ -1,4 +1,4 @@
-#include "quarter/target.h"
+#include "aggregate/target.h"
 
 #include "quarter/status.h"
 

@@ -2,7 +2,7 @@
 #ifndef QUARTER_LEARN_CERTIFICATE_H
 #define QUARTER_LEARN_CERTIFICATE_H
 
-#include "quarter/learner.h"
+#include "learn/learner.h"
 
 /* The best game's worth and a share of the gap asked for: what is bounded by it is as good as found. */
 double qtr_certificate_within(const qtr_learner *learner, double share);

@@ -3,7 +3,7 @@
 #ifndef QUARTER_LEARN_CERTIFIED_H
 #define QUARTER_LEARN_CERTIFIED_H
 
-#include "quarter/learner.h"
+#include "learn/learner.h"
 
 /* One episode, and search on from what it found. */
 enum qtr_learning qtr_certified_step(qtr_learner *learner);

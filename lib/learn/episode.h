@@ -3,7 +3,7 @@
 #ifndef QUARTER_LEARN_EPISODE_H
 #define QUARTER_LEARN_EPISODE_H
 
-#include "quarter/learner.h"
+#include "learn/learner.h"
 
 /* Q of all that a seeker may choose into learner->candidates, the targets in their order, standing down last. */
 void qtr_episode_list(qtr_learner *learner, const qtr_situation *state, int seeker);

@@ -3,7 +3,7 @@
 #ifndef QUARTER_LEARN_EXPLORING_H
 #define QUARTER_LEARN_EXPLORING_H
 
-#include "quarter/learner.h"
+#include "learn/learner.h"
 
 /* One episode, and the greedy policy played after it. */
 enum qtr_learning qtr_exploring_step(qtr_learner *learner);

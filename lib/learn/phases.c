@@ -1,8 +1,9 @@
-#include "quarter/learner.h"
+#include "learn/learner.h"
 
 #include <math.h>
 #include <stddef.h>
 
+#include "core/block.h"
 #include "learn/certificate.h"
 #include "learn/certified.h"
 #include "learn/episode.h"
@@ -76,15 +77,37 @@ static void play_first(qtr_learner *learner) {
   qtr_certified_refine(learner, FIRST_ROUNDS);
 }
 
-/* The bound begins on the ground, whatever is learnt on: its prices are the certificate's. Floats round Q up by as much as 1.2e-7 of it for
- * each backup, which a gap below QTR_FLOAT_GAP would not forgive. */
-int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, const qtr_environment *aggregate,
-                           const qtr_learner_config *config, uint32_t config_id) {
+/* The public header's sizes hold what stands in the workspace. */
+typedef char learner_fits[sizeof(qtr_learner) + QTR_BOUND_SLOTS * QTR_MAX_PLACES * sizeof(qtr_gain) <= QTR_LEARNER_BYTES
+                              ? 1
+                              : -1];
+
+size_t qtr_learner_bytes(const qtr_game *game) {
+  return sizeof(qtr_learner) + qtr_bound_bytes(game);
+}
+
+static int check_blocks(const qtr_learner_blocks *blocks, const qtr_game *game) {
+  if (blocks->table == NULL || blocks->table_words < QTR_QTABLE_LEAST_WORDS) return QTR_ERR_SPACE;
+  return block_check(blocks->work, blocks->work_bytes, qtr_learner_bytes(game));
+}
+
+static void begin_prices(qtr_learner *learner, const qtr_environment *environment) {
+  qtr_bound_init(&learner->bound, (qtr_gain *)(learner + 1), environment, learner->best.visit);
+  learner->upper = learner->bound.upper;
+}
+
+/* The bound begins on the ground, whatever is learnt on: its prices are the certificate's. Floats round Q up by as much as
+ * 1.2e-7 of it for each backup, which a gap below QTR_FLOAT_GAP would not forgive. */
+int qtr_learner_init_built(qtr_learner **made, const qtr_learner_blocks *blocks, const qtr_environment *ground,
+                           const qtr_environment *aggregate, const qtr_learner_config *config, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  int status = check_blocks(blocks, ground->game);
+  if (status != QTR_OK) return status;
+  qtr_learner *learner = blocks->work;
   learner->game = ground->game;
   learner->ground = ground;
   learner->environment = aggregate != NULL ? aggregate : ground;
-  int status = qtr_learner_config_check(config);
+  status = qtr_learner_config_check(config);
   if (status == QTR_OK) status = check_together(learner, config);
   if (status == QTR_OK) status = qtr_explorer_init(&learner->explorer, &config->exploration, config->seed);
   if (status != QTR_OK) return status;
@@ -94,11 +117,11 @@ int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, 
   learner->max_q = 0.0;
   learner->phase = QTR_PHASE_GROUND_PRICES;
   play_first(learner);
-  qtr_qtable_init(&learner->table, &learner->environment->keys,
+  qtr_qtable_init(&learner->table, blocks->table, blocks->table_words, &learner->environment->keys,
                   !learner_is_paper(learner) && config->gap < QTR_FLOAT_GAP);
-  qtr_bound_init(&learner->bound, ground, learner->best.visit);
-  learner->upper = learner->bound.upper;
+  begin_prices(learner, ground);
   learner->ground_upper = learner->upper;
+  *made = learner;
   return QTR_OK;
 }
 
@@ -107,8 +130,7 @@ int qtr_learner_init_built(qtr_learner *learner, const qtr_environment *ground, 
 /* The aggregate's prices bound its policies, and no others: they are where its Q begins. */
 static void begin_aggregate(qtr_learner *learner) {
   learner->phase = QTR_PHASE_AGGREGATE_PRICES;
-  qtr_bound_init(&learner->bound, learner->environment, learner->best.visit);
-  learner->upper = learner->bound.upper;
+  begin_prices(learner, learner->environment);
 }
 
 /* Prices of the ground bound what is learnt on it, too; those of an aggregate nothing but that. */
@@ -148,4 +170,23 @@ enum qtr_learning qtr_learner_step(qtr_learner *learner) {
 
 const qtr_play *qtr_learner_best(const qtr_learner *learner) {
   return &learner->best;
+}
+
+/* ---- the Q-table ---- */
+
+uint32_t qtr_learner_entries(const qtr_learner *learner) {
+  return learner->table.entries;
+}
+
+uint32_t qtr_learner_entry_bytes(const qtr_learner *learner) {
+  return qtr_qtable_entry_bytes(&learner->table);
+}
+
+/* An episode learns at most one entry a choice. */
+size_t qtr_learner_table_needs(const qtr_learner *learner) {
+  return qtr_qtable_needs(&learner->table, QTR_MAX_CHOICES);
+}
+
+int qtr_learner_move_table(qtr_learner *learner, uint32_t *table, size_t words) {
+  return qtr_qtable_move(&learner->table, table, words);
 }

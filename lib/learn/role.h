@@ -2,7 +2,7 @@
 #ifndef QUARTER_LEARN_ROLE_H
 #define QUARTER_LEARN_ROLE_H
 
-#include "quarter/learner.h"
+#include "learn/learner.h"
 
 static inline bool learner_is_paper(const qtr_learner *learner) {
   return learner->config.setting == QTR_SETTING_PAPER;

@@ -1,4 +1,4 @@
-#include "quarter/bound.h"
+#include "search/bound.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -276,9 +276,11 @@ static bool are_division(const qtr_targets *targets, unsigned places) {
   return listed == places;
 }
 
-int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit,
-                         uint32_t config_id) {
-  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+size_t qtr_bound_bytes(const qtr_game *game) {
+  return (size_t)QTR_BOUND_SLOTS * game->board.places * sizeof(qtr_gain);
+}
+
+void qtr_bound_init(qtr_bound *bound, qtr_gain *gain, const qtr_environment *environment, const qtr_steps *visit) {
   const qtr_board *board = &environment->game->board;
   int visits[QTR_MAX_PLACES];
   /* Every visit belongs to one target, whose price its seeker pays once. */
@@ -287,6 +289,7 @@ int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, c
   QTR_ASSERT(qtr_sight_is_exact(&environment->sight));
   bound->environment = environment;
   bound->game = environment->game;
+  bound->gain = gain;
   for (unsigned node = 0; node < (unsigned)board->places + board->starts; node++)
     for (unsigned place = 0; place < board->places; place++)
       bound->travel[(size_t)node * board->places + place] = qtr_board_steps(board, QTR_ANY_SEEKER, node, place);
@@ -297,7 +300,6 @@ int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, c
   restart_from_best(bound);
   bound->upper = evaluate(bound, bound->price, visits);
   if (bound->upper == HUGE_VAL) bound->upper = upper_at_once(bound);
-  return QTR_OK;
 }
 
 static void keep_trial(qtr_bound *bound, double upper) {

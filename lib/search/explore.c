@@ -1,4 +1,4 @@
-#include "quarter/explore.h"
+#include "search/explore.h"
 
 #include "model/settings.h"
 #include "quarter/random.h"

@@ -81,6 +81,18 @@ void qtr_play_by_rate(qtr_play *play, const qtr_game *game) {
   play_out(play, game, NULL);
 }
 
+bool qtr_routes_are_division(const qtr_routes *routes, unsigned seekers) {
+  qtr_places taken;
+  qtr_places_clear(&taken);
+  for (unsigned seeker = 0; seeker < seekers; seeker++) {
+    for (unsigned i = 0; i < routes->length[seeker]; i++) {
+      if (qtr_places_has(&taken, routes->place[seeker][i])) return false;
+      qtr_places_add(&taken, routes->place[seeker][i]);
+    }
+  }
+  return true;
+}
+
 void qtr_play_routes(qtr_play *play, const qtr_game *game, const qtr_routes *routes) {
   /* Who visits what is a division: nobody's route holds what another one's does. */
   QTR_ASSERT(qtr_routes_are_division(routes, game->board.seekers));

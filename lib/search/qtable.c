@@ -1,4 +1,4 @@
-#include "quarter/qtable.h"
+#include "search/qtable.h"
 
 #include <math.h>
 #include <string.h>
@@ -94,19 +94,30 @@ static uint32_t after(const qtr_qtable *table, uint32_t slot) {
   return slot + 1 < table->slots ? slot + 1 : 0;
 }
 
+static uint32_t slots_in(const qtr_qtable *table, size_t words) {
+  return (uint32_t)((words < QTR_QTABLE_WORDS ? words : QTR_QTABLE_WORDS) / table->entry_words);
+}
+
+int qtr_qtable_move(qtr_qtable *table, uint32_t *word, size_t words) {
+  const uint32_t slots = slots_in(table, words);
+  if (word == NULL || slots < table->slots) return QTR_ERR_SPACE;
+  table->word = word;
+  table->slots_limit = slots;
+  return QTR_OK;
+}
+
 /* It begins small and doubles, so that a small game touches few pages. */
-int qtr_qtable_init_built(qtr_qtable *table, const qtr_key_shape *keys, bool precise, uint32_t config_id) {
-  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+void qtr_qtable_init(qtr_qtable *table, uint32_t *word, size_t words, const qtr_key_shape *keys, bool precise) {
   table->key_words = keys->words;
   table->value_words = precise ? VALUE_WORDS_MAX : 1;
   table->entry_words = (uint8_t)((keys->bits + TAG_BITS + 31) / 32 + table->value_words);
   table->entries = 0;
   table->refused = 0;
-  table->slots_limit = (uint32_t)(QTR_QTABLE_WORDS / table->entry_words);
+  table->word = word;
+  table->slots_limit = slots_in(table, words);
   table->slots = table->slots_limit < FIRST_SLOTS ? table->slots_limit : FIRST_SLOTS;
   table->tag = TAG_FIRST;
   memset(table->word, 0, (size_t)table->slots * table->entry_words * sizeof(uint32_t));
-  return QTR_OK;
 }
 
 uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table) {
@@ -138,11 +149,27 @@ static bool place_entry(qtr_qtable *table, entry *moved) {
   return slot_tag(table, out.word) != 0;
 }
 
+static uint32_t doubled(uint32_t slots, uint32_t limit) {
+  return slots <= limit / 2 ? slots * 2 : limit;
+}
+
+/* Entries from which on a table of so many slots doubles. */
+static uint32_t crowded(uint32_t slots) {
+  return slots / 8 * 7;
+}
+
+size_t qtr_qtable_needs(const qtr_qtable *table, uint32_t more) {
+  const uint32_t most = slots_in(table, QTR_QTABLE_WORDS);
+  uint32_t slots = table->slots;
+  while (slots < most && table->entries + more >= crowded(slots)) slots = doubled(slots, most);
+  return (size_t)slots * table->entry_words;
+}
+
 /* Twice the slots, in place: entries are moved one by one to where they belong now, each taking the next one out that
  * lies in its way; the tag tells which have been moved. */
 static void grow(qtr_qtable *table) {
   const uint32_t before = table->slots;
-  table->slots = before <= table->slots_limit / 2 ? before * 2 : table->slots_limit;
+  table->slots = doubled(before, table->slots_limit);
   table->tag = table->tag == TAG_FIRST ? TAG_OTHER : TAG_FIRST;
   memset(slot_at(table, before), 0, (size_t)(table->slots - before) * table->entry_words * sizeof(uint32_t));
   for (uint32_t slot = 0; slot < before; slot++) {
@@ -185,7 +212,7 @@ bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
   make_entry(table, &made, key, value);
   uint32_t slot = find_slot(table, &made);
   if (slot_tag(table, slot_read(table, slot)) == 0) {
-    if (table->entries >= table->slots / 8 * 7 && table->slots < table->slots_limit) {
+    if (table->entries >= crowded(table->slots) && table->slots < table->slots_limit) {
       grow(table);
       make_entry(table, &made, key, value);
       slot = find_slot(table, &made);

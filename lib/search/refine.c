@@ -1,4 +1,4 @@
-#include "quarter/refine.h"
+#include "search/refine.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,18 +26,6 @@ qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const 
     node = places[i];
   }
   return score;
-}
-
-bool qtr_routes_are_division(const qtr_routes *routes, unsigned seekers) {
-  qtr_places taken;
-  qtr_places_clear(&taken);
-  for (unsigned seeker = 0; seeker < seekers; seeker++) {
-    for (unsigned i = 0; i < routes->length[seeker]; i++) {
-      if (qtr_places_has(&taken, routes->place[seeker][i])) return false;
-      qtr_places_add(&taken, routes->place[seeker][i]);
-    }
-  }
-  return true;
 }
 
 static qtr_route_score sum_of(qtr_route_score a, qtr_route_score b) {

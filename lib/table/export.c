@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "learn/learner.h"
 #include "quarter/writer.h"
 #include "table/record.h"
 

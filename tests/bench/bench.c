@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "host/base/clock.h"
-#include "host/input/input.h"
+#include "host/input/read.h"
 #include "quarter/learner.h"
 #include "quarter/random.h"
 
@@ -17,11 +17,20 @@
 static qtr_mission mission;
 static qtr_game game;
 static qtr_field field;
-static qtr_environment ground;
-static qtr_learner learner;
+static qtr_learner_memory memory;
+static qtr_environment *ground;
+static qtr_learner *learner;
 static input reference;
 
 /* ---- measuring ---- */
+
+static void begin_learner(void) {
+  const qtr_learner_blocks blocks = QTR_LEARNER_BLOCKS(memory);
+  qtr_learner_config config;
+  qtr_learner_config_default(&config);
+  qtr_environment_init(&ground, memory.ground, sizeof memory.ground, &game, NULL, &field);
+  qtr_learner_init(&learner, &blocks, ground, NULL, &config);
+}
 
 typedef struct {
   double seconds, episodes;
@@ -31,14 +40,11 @@ typedef struct {
 /* Learn a mission to its certificate, elemental tasks included. */
 static run learn(const qtr_mission *learnt, double limit) {
   const double begin = clock_seconds();
-  qtr_learner_config config;
   run r;
-  qtr_learner_config_default(&config);
   qtr_game_init(&game, learnt, &field, NULL);
-  qtr_environment_init(&ground, &game, NULL, &field);
-  qtr_learner_init(&learner, &ground, NULL, &config);
-  while (qtr_learner_step(&learner) == QTR_LEARNING && clock_seconds() - begin < limit) {}
-  qtr_learner_certificate(&learner, &r.certificate);
+  begin_learner();
+  while (qtr_learner_step(learner) == QTR_LEARNING && clock_seconds() - begin < limit) {}
+  qtr_learner_certificate(learner, &r.certificate);
   r.seconds = clock_seconds() - begin;
   r.episodes = (double)r.certificate.episodes;
   return r;
@@ -101,7 +107,7 @@ static void bench_random(int side, int places, int seekers, int maps, double lim
       episodes[map] = r.episodes;
       gap[map] = r.certificate.gap;
       certified += r.certificate.certified;
-      const unsigned bytes = qtr_qtable_entry_bytes(&learner.table);
+      const unsigned bytes = qtr_learner_entry_bytes(learner);
       entry_bytes = bytes > entry_bytes ? bytes : entry_bytes;
     }
     printf("%2dx%2d, %2d places, %d seekers, %-10s  %3d/%d certified  median %.4f s, %.0f episodes, gap %.1e; %u bytes "
@@ -114,7 +120,7 @@ static void bench_random(int side, int places, int seekers, int maps, double lim
 /* ---- the reference ---- */
 
 static double learn_reference(const char *path, int robots, int objective, double *found) {
-  const input_options options = {0.0, robots};
+  const input_options options = {.robots = robots};
   fault why;
   if (input_read(&reference, path, &options, &why) != 0) {
     fprintf(stderr, "%s\n", why.text);
@@ -157,9 +163,9 @@ static void bench_reference(void) {
 
 static void bench_entry(int side, int places, int seekers, const char *target) {
   make_map(1, side, places, seekers, QTR_DISCOUNTED);
-  qtr_qtable_init(&learner.table, &game.board.keys, false);
+  begin_learner();
   printf("a Q entry of %2d places, %d seekers on %dx%d cells: %u bytes %s\n", places, seekers, side, side,
-         qtr_qtable_entry_bytes(&learner.table), target);
+         qtr_learner_entry_bytes(learner), target);
 }
 
 /* ---- large maps: in a process of its own, whose memory is then its own ---- */

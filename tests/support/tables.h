@@ -4,6 +4,7 @@
 
 #include "core/bytes.h"
 #include "core/crc.h"
+#include "learning.h"
 #include "missions.h"
 #include "quarter/export.h"
 #include "quarter/learner.h"
@@ -20,8 +21,8 @@ enum { TABLE_MOST = 64 * 1024 };
 static qtr_mission table_mission;
 static qtr_field table_field;
 static qtr_game table_game;
-static qtr_environment table_ground;
-static qtr_learner table_learner;
+static qtr_environment *table_ground;
+static qtr_learner *table_learner;
 static uint8_t table_bytes[TABLE_MOST];
 static uint32_t table_size;
 static uint8_t table_copy[TABLE_MOST]; /* to be changed */
@@ -32,15 +33,14 @@ static inline void table_learn(unsigned steps) {
   qtr_learner_config_default(&config);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&table_mission, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&table_game, &table_mission, &table_field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_environment_init(&table_ground, &table_game, NULL, &table_field),
-                                case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_learner_init(&table_learner, &table_ground, NULL, &config), case_note);
-  while (steps > 0 && qtr_learner_step(&table_learner) == QTR_LEARNING) steps--;
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&table_ground, &table_game, &table_field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, learner_init(&table_learner, table_ground, NULL, &config), case_note);
+  while (steps > 0 && qtr_learner_step(table_learner) == QTR_LEARNING) steps--;
 }
 
 static inline void table_export(void) {
   memset(table_bytes, 0xA5, sizeof table_bytes);
-  const int32_t written = qtr_export(&table_learner, table_bytes, sizeof table_bytes);
+  const int32_t written = qtr_export(table_learner, table_bytes, sizeof table_bytes);
   TEST_ASSERT_GREATER_THAN_MESSAGE(0, written, case_note);
   table_size = (uint32_t)written;
 }
@@ -78,7 +78,7 @@ static inline void table_draw_regions(void) {
   static uint8_t steps[4 * 5 * 2];
   qtr_certificate certificate;
   table_draw("1..S#.2/.......", 1);
-  qtr_learner_certificate(&table_learner, &certificate);
+  qtr_learner_certificate(table_learner, &certificate);
   const qtr_grid grid = qtr_mission_grid(&table_mission);
   qtr_board board = table_game.board;
   board.starts = 3;

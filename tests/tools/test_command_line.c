@@ -1,6 +1,7 @@
 /* The command line as an attacker and an accident would have it: small memory, full disks, closed outputs, outputs that are
  * inputs under another name, inputs that are no files. */
 #include <fcntl.h>
+#include <stdbool.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -36,6 +37,19 @@ static void expect_one_line(int status, const char *word, const char *note) {
 
 /* ---- memory ---- */
 
+/* Open ground with a start and 8 places on it. */
+static void write_square(const char *path, int side) {
+  FILE *file = fopen(path, "w");
+  TEST_ASSERT_NOT_NULL(file);
+  for (int row = 0; row < side; row++)
+    for (int column = 0; column <= side; column++) {
+      const int cell = row * side + column;
+      const bool is_place = cell % (side * side / 8) == side / 2;
+      fputc(column == side ? '\n' : cell == 0 ? 'S' : is_place ? '1' : '.', file);
+    }
+  fclose(file);
+}
+
 /* Of address space a sanitizer takes terabytes for its own use. */
 static void need_no_sanitizer(void) {
 #ifdef __SANITIZE_ADDRESS__
@@ -57,16 +71,41 @@ static void test_what_needs_no_memory_runs_in_50_megabytes(void) {
   }
 }
 
-static void test_memory_that_is_not_to_be_had_is_said(void) {
+/* What a mission takes goes by the mission, not by the largest that the build holds. */
+static void test_small_mission_runs_in_100_megabytes(void) {
   need_no_sanitizer();
-  static const char *const lines[] = {"learn area.txt -o t.qtr", "tune area.txt"};
+  static const char *const lines[] = {
+      "learn 30.txt -q --robots 3 -o 30.qtr",
+      "learn 30.txt -q --aggregate spots --objective time --gap 1e-9",
+      "learn 30.txt -q --learner paper --aggregate both --episodes 200",
+      "learn 30.txt -q --cleared any --starts any --region-size 255 --region-diameter 60",
+      "tune 30.txt -q --learner paper --episodes 5",
+      "draw 30.txt --regions --spots -o 30.svg",
+      "draw 30.qtr -o 30.svg",
+      "exact 30.txt --robots 2",
+      "simulate 30.qtr",
+      "inspect 30.qtr"};
+  write_square("30.txt", 30);
   for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
     char line[200];
-    snprintf(line, sizeof line, "ulimit -v 51200; $Q %s", lines[i]);
+    snprintf(line, sizeof line, "ulimit -v 100000; $Q %s >out.txt", lines[i]);
+    run_shell(line);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE("", result.err, lines[i]);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, lines[i]);
+  }
+}
+
+static void test_memory_that_is_not_to_be_had_is_said(void) {
+  need_no_sanitizer();
+  static const char *const lines[] = {"learn area.txt -o no.qtr --learner paper --aggregate regions",
+                                      "tune area.txt --learner paper --episodes 2"};
+  for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+    char line[200];
+    snprintf(line, sizeof line, "ulimit -v 32768; $Q %s", lines[i]);
     run_shell(line);
     expect_one_line(2, "no memory", lines[i]);
   }
-  TEST_ASSERT_EQUAL_INT(-1, access("t.qtr", F_OK));
+  TEST_ASSERT_EQUAL_INT(-1, access("no.qtr", F_OK));
 }
 
 /* ---- standard output ---- */
@@ -237,6 +276,7 @@ static void test_too_many_places_for_the_exact_solver_are_refused_before_any_wor
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_what_needs_no_memory_runs_in_50_megabytes);
+  RUN_TEST(test_small_mission_runs_in_100_megabytes);
   RUN_TEST(test_memory_that_is_not_to_be_had_is_said);
   RUN_TEST(test_nothing_that_was_not_said_counts_as_said);
   RUN_TEST(test_a_closed_output_is_no_output);

@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "host/base/memory.h"
 #include "host/base/stop.h"
 #include "host/plan/progress.h"
 #include "quarter/any_start.h"
@@ -54,7 +53,7 @@ static int allocate(builder *b, const qtr_any_start_asked *asked, fault *why) {
     return fault_set(why,
                      "%s: %" PRIu32 " regions are too many for a table; make them larger with --region-size and "
                      "--region-diameter",
-                     b->s->p.in.path, b->s->regions.count);
+                     b->s->p.in.path, b->s->regions->count);
   b->blocks.start = malloc(sizes.start);
   b->blocks.steps = malloc(sizes.steps);
   if (sizes.region > 0) b->blocks.region = malloc(sizes.region);
@@ -63,10 +62,11 @@ static int allocate(builder *b, const qtr_any_start_asked *asked, fault *why) {
 }
 
 static int set_up(builder *b, fault *why) {
+  if (b->config->any_starts && divide(b, why) != 0) return -1;
   const qtr_any_start_asked asked = {.game = &b->s->p.game,
-                                     .regions = b->config->any_starts ? &b->s->regions : NULL,
+                                     .regions = b->config->any_starts ? b->s->regions : NULL,
                                      .any_cleared = b->config->any_cleared};
-  if ((b->config->any_starts && divide(b, why) != 0) || allocate(b, &asked, why) != 0) return -1;
+  if (allocate(b, &asked, why) != 0) return -1;
   if (stop_asked()) return stopped(b, why);
   const int status = qtr_any_start_init(&b->any, &asked, &b->blocks, &b->s->p.field);
   if (status == QTR_ERR_STOPPED) return stopped(b, why);
@@ -84,7 +84,7 @@ static bool learn_rest(builder *b, fault *why) {
   config.learner.setting = QTR_SETTING_CERTIFIED;
   if (qtr_rest_game(&alone->p.game, &alone->p.in.mission, &alone->p.field) != QTR_OK) return false;
   if (study_begin(alone, &config, why) != 0) return false;
-  for (int steps = 0; steps < 2000 && qtr_learner_step(&alone->learner) == QTR_LEARNING; steps++) {}
+  for (int steps = 0; steps < 2000 && study_step(alone) == QTR_LEARNING; steps++) {}
   return !stop_asked();
 }
 
@@ -99,8 +99,9 @@ static int enlarge(builder *b, fault *why) {
 }
 
 static int add(builder *b, study *learnt, const uint16_t *number, fault *why) {
-  qtr_play_to_routes(&learnt->learner.best, &learnt->p.game, &learnt->learner.routes);
-  while (qtr_any_start_add(&b->any, &learnt->learner.routes, number) != QTR_OK)
+  qtr_routes routes;
+  qtr_play_to_routes(qtr_learner_best(learnt->learner), &learnt->p.game, &routes);
+  while (qtr_any_start_add(&b->any, &routes, number) != QTR_OK)
     if (enlarge(b, why) != 0) return -1;
   return 0;
 }
@@ -136,7 +137,7 @@ static int add_all(builder *b, fault *why) {
 
 static uint32_t write_table(builder *b, uint8_t **bytes, fault *why) {
   qtr_certificate certificate;
-  qtr_learner_certificate(&b->s->learner, &certificate);
+  qtr_learner_certificate(b->s->learner, &certificate);
   const qtr_table_content content = qtr_any_start_content(&b->any, &certificate, b->config->learner.seed);
   const uint32_t size = qtr_table_size(&content);
   *bytes = malloc(size);
@@ -157,7 +158,8 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
   if (qtr_policy_open(&policy, bytes, size) != QTR_OK) return;
   qtr_start_trials_begin(&trials, b->config->learner.seed);
   while (!stop_asked() && qtr_start_trials_next(&trials, &policy, mission, &b->alone->p.in.mission))
-    if (learn_rest(b, why)) qtr_start_trials_add(&trials, &policy, &alone->p.game, alone->learner.best.score.worth);
+    if (learn_rest(b, why))
+      qtr_start_trials_add(&trials, &policy, &alone->p.game, qtr_learner_best(alone->learner)->score.worth);
   report->trials = trials.count;
   if (trials.count == 0) return;
   report->median_loss = trials.loss[trials.count / 2];
@@ -182,12 +184,12 @@ static uint32_t learn(builder *b, uint8_t **bytes, anywhere_report *report, faul
 uint32_t anywhere_learn(study *s, const plan_config *config, uint8_t **bytes, anywhere_report *report, fault *why) {
   builder b = {.s = s, .config = config};
   *report = (anywhere_report){0};
-  b.alone = memory_take(sizeof *b.alone, why);
+  b.alone = study_take(why);
   if (b.alone == NULL) return 0;
   memcpy(&b.alone->p.in.mission, &s->p.in.mission, sizeof b.alone->p.in.mission);
   memcpy(b.alone->p.in.path, s->p.in.path, sizeof b.alone->p.in.path); /* for what may be said of it */
   const uint32_t size = learn(&b, bytes, report, why);
-  free(b.alone);
+  study_drop(b.alone);
   free(b.blocks.entries);
   free(b.blocks.region);
   free(b.blocks.start);

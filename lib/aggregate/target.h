@@ -4,8 +4,8 @@
  * What follows the first place of a spot does not depend on where the seeker came from, so a tour is known by its first
  * place: as many tours as places, and the state of a seeker on its way is (first place, steps left).
  */
-#ifndef QUARTER_TARGET_H
-#define QUARTER_TARGET_H
+#ifndef QUARTER_AGGREGATE_TARGET_H
+#define QUARTER_AGGREGATE_TARGET_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,35 +1,42 @@
-/* The compact Q-table: exact keys, a float each (or a double, where asked for), in one fixed array.
+/* The compact Q-table: exact keys, a float each (or a double, where asked for), in one block of the caller's.
  *
  * An entry is Q(s, a), stored under the joint state that the choice leads to before time passes. Two pairs (s, a) that
  * lead to the same such state have the same value and share the entry. A hash picks the slot, the stored key decides.
- * An entry takes only the words that the mission's keys need: 12 bytes for 20 places and 2 seekers.
+ * An entry takes only the words that the mission's keys need: 12 bytes for 20 places and 2 seekers. The table begins small
+ * and doubles in place for as long as the block holds it.
  */
-#ifndef QUARTER_QTABLE_H
-#define QUARTER_QTABLE_H
+#ifndef QUARTER_SEARCH_QTABLE_H
+#define QUARTER_SEARCH_QTABLE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "quarter/config.h"
 #include "quarter/key.h"
 
-/* Large: keep it in static storage. Pages that a small game does not fill are never touched. */
 typedef struct {
   uint32_t entries;     /* in use */
   uint32_t slots;       /* in use or free */
-  uint32_t slots_limit; /* that the array holds */
+  uint32_t slots_limit; /* that the block holds */
   uint32_t refused;     /* entries that a full table did not take */
   uint8_t entry_words;  /* key and value */
   uint8_t value_words;  /* 1: floats, 2: doubles */
   uint8_t key_words;    /* of a key; the stored key may take one more, for its tag */
   uint32_t tag;         /* of the entries in their right slots, in the top bits of a stored key */
-  uint32_t word[QTR_QTABLE_WORDS];
+  uint32_t *word;       /* the block */
 } qtr_qtable;
 
-/* Empty the table for keys of a shape. `precise`: doubles for values, at 4 bytes more an entry. QTR_OK, or QTR_ERR_CONFIG
- * if the caller was built under other sizes. */
-#define qtr_qtable_init(table, keys, precise) qtr_qtable_init_built(table, keys, precise, QTR_CONFIG_ID)
-int qtr_qtable_init_built(qtr_qtable *table, const qtr_key_shape *keys, bool precise, uint32_t config_id);
+/* An empty table for keys of a shape, in a block of QTR_QTABLE_LEAST_WORDS at the least; more than QTR_QTABLE_WORDS are not
+ * used. `precise`: doubles for values, at 4 bytes more an entry. */
+void qtr_qtable_init(qtr_qtable *table, uint32_t *word, size_t words, const qtr_key_shape *keys, bool precise);
+
+/* The table stands in another block now, no smaller, whose start holds what the old one held. QTR_OK, or QTR_ERR_SPACE with
+ * nothing changed. */
+int qtr_qtable_move(qtr_qtable *table, uint32_t *word, size_t words);
+
+/* Words of a block in which no more than `more` entries to come are refused that one of QTR_QTABLE_WORDS would take. */
+size_t qtr_qtable_needs(const qtr_qtable *table, uint32_t more);
 
 /* Bytes that an entry takes, key and value. */
 uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table);

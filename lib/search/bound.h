@@ -17,13 +17,15 @@
  * Time is cut into slots. Worth falls with time, so C at a slot's first step is good for the whole slot; past the last
  * slot everything left counts as collected at once. Both keep the bound valid and make it less tight.
  */
-#ifndef QUARTER_BOUND_H
-#define QUARTER_BOUND_H
+#ifndef QUARTER_SEARCH_BOUND_H
+#define QUARTER_SEARCH_BOUND_H
 
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
+#include "aggregate/environment.h"
 #include "quarter/config.h"
-#include "quarter/environment.h"
 
 /* What a walk that comes to a place, the first of a target's tour, can collect, the tour included; and the target that it
  * goes on to. */
@@ -34,7 +36,6 @@ typedef struct {
   uint16_t other; /* where the second goes on to */
 } qtr_gain;
 
-/* Large: keep it in static storage. */
 typedef struct {
   const qtr_environment *environment;
   const qtr_game *game;         /* the environment's */
@@ -49,16 +50,16 @@ typedef struct {
   qtr_steps travel[QTR_MAX_NODES * QTR_MAX_PLACES];      /* to places, as in the game, unpacked */
   uint32_t slots_apart[QTR_MAX_PLACES * QTR_MAX_PLACES]; /* from a tour's first place to the next target's: in slots */
   double late[QTR_MAX_PLACES];                           /* gains past the last slot */
-  qtr_gain gain[QTR_BOUND_SLOTS * QTR_MAX_PLACES];
+  qtr_gain *gain;                                        /* a row of places a slot */
 } qtr_bound;
 
+/* Bytes of the block that the gains of a game take. */
+size_t qtr_bound_bytes(const qtr_game *game);
+
 /* Start from a known play: the visits of each target's places set its price, the last visit sets the horizon. The
- * environment must be without regions and outlive the bound. Stopped by the mission's watch, `upper` is what the nearest
- * seekers could collect all at once: valid, and not tight. QTR_OK, or QTR_ERR_CONFIG if the caller was built under other
- * sizes. */
-#define qtr_bound_init(bound, environment, visit) qtr_bound_init_built(bound, environment, visit, QTR_CONFIG_ID)
-int qtr_bound_init_built(qtr_bound *bound, const qtr_environment *environment, const qtr_steps *visit,
-                         uint32_t config_id);
+ * environment must be without regions and outlive the bound, as must the block, qtr_bound_bytes() aligned for a qtr_gain. Stopped by the mission's watch, `upper` is what the nearest
+ * seekers could collect all at once: valid, and not tight. */
+void qtr_bound_init(qtr_bound *bound, qtr_gain *gain, const qtr_environment *environment, const qtr_steps *visit);
 
 /* One subgradient step towards `goal`, the worth of the best play known. False when more steps are of no use; the best
  * prices are then in force. A stop changes nothing, and the step can be taken again. */

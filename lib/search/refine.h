@@ -4,27 +4,15 @@
  * Seekers do not hinder one another, so under the free rule any division of the places and any orders are a game that can
  * be played, and its worth is the sum over the routes.
  */
-#ifndef QUARTER_REFINE_H
-#define QUARTER_REFINE_H
+#ifndef QUARTER_SEARCH_REFINE_H
+#define QUARTER_SEARCH_REFINE_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "quarter/config.h"
 #include "quarter/game.h"
-
-/* What a route brings. Of two that are worth the same as far as a sum can tell, because what they differ in is discounted
- * away, the one with less expected time is better. */
-typedef struct {
-  double worth; /* under the mission's objective; -HUGE_VAL if a place on it cannot be reached */
-  double time;  /* its share of the expected time, steps */
-} qtr_route_score;
-
-typedef struct {
-  uint16_t length[QTR_MAX_SEEKERS];
-  uint16_t place[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
-  qtr_route_score score[QTR_MAX_SEEKERS];
-} qtr_routes;
+#include "quarter/play.h"
 
 /* Caller's memory for the search. */
 typedef struct {
@@ -36,9 +24,6 @@ typedef struct {
 
 /* What one seeker's route brings; as of one with a place that cannot be reached where there is no such place or seeker. */
 qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length);
-
-/* Whether no place is on two routes, or on one twice. */
-bool qtr_routes_are_division(const qtr_routes *routes, unsigned seekers);
 
 /* Improve `routes` (their scores need not be set), with `rounds` of shaking; `seed` decides how they shake. A stop by
  * the mission's watch leaves the best routes found so far. */

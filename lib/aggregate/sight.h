@@ -4,31 +4,25 @@
  * region of the cell where it is, and how much of its tour is done; its steps are those from the region's representative,
  * alike for all of the region. Its true cell moves on along its true way, unseen.
  */
-#ifndef QUARTER_SIGHT_H
-#define QUARTER_SIGHT_H
+#ifndef QUARTER_AGGREGATE_SIGHT_H
+#define QUARTER_AGGREGATE_SIGHT_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
+#include "aggregate/target.h"
 #include "quarter/config.h"
+#include "quarter/game.h"
 #include "quarter/regions.h"
-#include "quarter/target.h"
 
-/* Where the travel times of a seeker seen in a region are taken from. */
-enum qtr_region_times {
-  QTR_TIMES_STANDING = 0, /* the region's representative: alike for all of the region (section 5.2.3) */
-  QTR_TIMES_TRUE =
-      1 /* the seeker's own cell: the section's first solution, whose Q may go to and fro. To show just that */
-};
-
-/* Large: keep it in static storage. */
 typedef struct {
   const qtr_game *game;
-  const qtr_regions *regions;                                      /* NULL: exact */
-  bool estimating;                                                 /* times are the representatives' */
-  qtr_steps estimate[QTR_MAX_REGIONS * QTR_MAX_PLACES];            /* from a region's representative to each place */
-  uint8_t way[(size_t)QTR_MAX_PLACES * ((QTR_MAX_CELLS + 3) / 4)]; /* to each place, the direction from each cell */
+  const qtr_regions *regions; /* NULL: exact, and what follows is not used */
+  bool estimating;            /* times are the representatives' */
+  qtr_steps *estimate;        /* from a region's representative to each place: a row of places a region */
+  uint8_t *way;               /* to each place, the direction from each cell, in two bits: a row of cells a place */
+  uint32_t way_bytes;         /* of such a row */
 } qtr_sight;
 
 /* Where a seeker truly is that is seen in a region. */
@@ -41,9 +35,12 @@ typedef struct {
 /* Exact sight, of the game's own times. */
 void qtr_sight_exact(qtr_sight *sight, const qtr_game *game);
 
-/* Sight by regions, which must outlive it; `times` is an enum qtr_region_times, `field` is scratch. QTR_OK, or
- * QTR_ERR_STOPPED by the mission's watch: the sight is of no use then. */
-int qtr_sight_by_regions(qtr_sight *sight, const qtr_game *game, const qtr_regions *regions, uint8_t times,
+/* Bytes of the block that sight by so many regions takes. */
+size_t qtr_sight_bytes(const qtr_game *game, uint32_t regions);
+
+/* Sight by regions, which must outlive it, as must the block, aligned for qtr_steps; `times` is an enum qtr_region_times,
+ * `field` is scratch. QTR_OK, or QTR_ERR_STOPPED by the mission's watch: the sight is of no use then. */
+int qtr_sight_by_regions(qtr_sight *sight, void *block, const qtr_game *game, const qtr_regions *regions, uint8_t times,
                          qtr_field *field);
 
 /* Whether seekers are seen exactly. Only then are travel times bounds, and each place of a spot counts when it is visited
