@@ -67,6 +67,8 @@ endif()
 
 add_library(quarter_unity INTERFACE)
 target_link_libraries(quarter_unity INTERFACE unity::framework)
-target_compile_definitions(quarter_unity INTERFACE UNITY_INCLUDE_DOUBLE UNITY_SUPPORT_64)
+# tests/support/unity/unity_config.h: one test function by itself.
+target_compile_definitions(quarter_unity INTERFACE UNITY_INCLUDE_DOUBLE UNITY_SUPPORT_64 UNITY_INCLUDE_CONFIG_H)
+target_include_directories(quarter_unity INTERFACE ${PROJECT_SOURCE_DIR}/tests/support/unity)
 target_include_directories(quarter_unity SYSTEM INTERFACE
   $<TARGET_PROPERTY:unity::framework,INTERFACE_INCLUDE_DIRECTORIES>)
