@@ -75,7 +75,7 @@ static void test_what_needs_no_memory_runs_in_50_megabytes(void) {
 static void test_small_mission_runs_in_100_megabytes(void) {
   need_no_sanitizer();
   static const char *const lines[] = {
-      "learn 30.txt -q --robots 3 -o 30.qtr",
+      "learn 30.txt -q --robots 16 -o 30.qtr",
       "learn 30.txt -q --aggregate spots --objective time --gap 1e-9",
       "learn 30.txt -q --learner paper --aggregate both --episodes 200",
       "learn 30.txt -q --cleared any --starts any --region-size 255 --region-diameter 60",

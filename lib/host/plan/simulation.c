@@ -10,8 +10,10 @@
 /* One robot and its body: what the executor does not know of. */
 typedef struct {
   qtr_seeker seeker;
-  qtr_field *field;  /* the way to its target */
-  uint16_t heading;  /* the place that the field leads to */
+  qtr_cell *way;     /* the cells to enter, in order, as far as its heading */
+  uint32_t entered;  /* of them, by now */
+  uint32_t cells;    /* on the way */
+  uint16_t heading;  /* the place that the way leads to */
   qtr_cell cell;     /* where it stands */
   qtr_cell entering; /* the cell that it is moving to */
   double ready;      /* when it will be there */
@@ -26,6 +28,8 @@ typedef struct {
   const table *t;
   const simulation_config *config;
   qtr_places seen; /* places visited by any robot: for the record alone, no robot reads it */
+  qtr_field *
+      field; /* travel times for whoever looks for its way: every robot has its own, but one at a time is enough here */
 } world;
 
 void simulation_config_default(simulation_config *config) {
@@ -71,17 +75,19 @@ static void set_faults(world *w) {
 }
 
 static void free_world(world *w) {
-  for (int i = 0; w->robots != NULL && i < w->count; i++) free(w->robots[i].field);
+  for (int i = 0; w->robots != NULL && i < w->count; i++) free(w->robots[i].way);
+  free(w->field);
   free(w->robots);
 }
 
 static int make_world(world *w, const table *t, const qtr_deployment *deployment, const simulation_config *config,
                       fault *why) {
   const qtr_board *board = &t->policy.board;
-  *w = (world){calloc(board->seekers, sizeof(robot)), board->seekers, t, config, config->clear};
+  *w = (world){
+      calloc(board->seekers, sizeof(robot)), board->seekers, t, config, config->clear, malloc(sizeof(qtr_field))};
   for (int i = 0; w->robots != NULL && i < w->count; i++) {
     robot *r = &w->robots[i];
-    r->field = malloc(sizeof *r->field);
+    r->way = malloc(qtr_grid_cells(&t->policy.grid) * sizeof *r->way);
     r->heading = QTR_STAND_DOWN;
     r->cell = config->froms > 0 ? (qtr_cell)(config->from[i].row * t->policy.grid.columns + config->from[i].column)
                                 : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
@@ -89,8 +95,8 @@ static int make_world(world *w, const table *t, const qtr_deployment *deployment
     r->lost = QTR_NEVER;
     qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, deployment, 0);
   }
-  bool whole = w->robots != NULL;
-  for (int i = 0; whole && i < w->count; i++) whole = w->robots[i].field != NULL;
+  bool whole = w->robots != NULL && w->field != NULL;
+  for (int i = 0; whole && i < w->count; i++) whole = w->robots[i].way != NULL;
   if (whole) {
     set_faults(w);
     return 0;
@@ -145,15 +151,25 @@ static void announce(simulation *s, world *w, int i, qtr_steps now) {
   }
 }
 
+/* The cells to the robot's target, or to another one where that is out of reach. False: it has none left. */
+static bool find_way(world *w, robot *r) {
+  const qtr_grid *grid = &w->t->policy.grid;
+  if (!qtr_seeker_field(&r->seeker, w->field, r->cell)) return false;
+  r->heading = qtr_seeker_target(&r->seeker);
+  r->entered = r->cells = 0;
+  for (qtr_cell at = r->cell, next; (next = qtr_field_next(w->field, grid, at)) != at; at = next)
+    r->way[r->cells++] = next;
+  return true;
+}
+
 /* Set out for the next cell on the way to the target. */
 static void set_out(world *w, int i, qtr_steps now) {
   robot *r = &w->robots[i];
   if (now >= r->lost) return;
   const uint16_t target = qtr_seeker_target(&r->seeker);
   if (target == QTR_STAND_DOWN || r->moving || r->ready > now) return;
-  if (r->heading != target && !qtr_seeker_field(&r->seeker, r->field, r->cell)) return;
-  r->heading = qtr_seeker_target(&r->seeker);
-  r->entering = qtr_field_next(r->field, &w->t->policy.grid, r->cell);
+  if (r->heading != target && !find_way(w, r)) return;
+  r->entering = r->entered < r->cells ? r->way[r->entered++] : r->cell;
   /* A slow robot that moves on at once keeps the fraction of a step that it was early. */
   const double from = now - r->ready < 1.0 ? r->ready : (double)now;
   r->ready = from + r->factor * qtr_grid_cost(&w->t->policy.grid, r->entering);
