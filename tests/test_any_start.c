@@ -16,7 +16,7 @@ static qtr_game game;
 static qtr_routes own_routes;
 static qtr_certificate own_certificate;
 static qtr_regions regions;
-static qtr_regions_scratch regions_scratch;
+static uint64_t regions_scratch[(QTR_REGIONS_SCRATCH_BYTES + 7) / 8];
 
 static uint8_t steps[64 * 1024];
 static qtr_cell start[256];
@@ -63,7 +63,8 @@ static qtr_any_start_asked ask(unsigned most, bool any_cleared) {
   qtr_regions_config config;
   qtr_regions_default(&config);
   config.max_size = most;
-  if (most > 0) TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &config, &regions_scratch));
+  if (most > 0)
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &config, regions_scratch, sizeof regions_scratch));
   const qtr_any_start_asked asked = {&game, most > 0 ? &regions : NULL, any_cleared};
   return asked;
 }

@@ -3,15 +3,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "aggregate/nearby.h"
 #include "quarter/belief.h"
-#include "quarter/nearby.h"
 #include "quarter/spots.h"
 #include "support/death.h"
 #include "support/settings.h"
 #include "support/tables.h"
 
 static qtr_regions regions;
-static qtr_regions_scratch scratch;
+static uint64_t scratch[(QTR_REGIONS_SCRATCH_BYTES + 7) / 8];
 static qtr_regions_config limits;
 static qtr_environment *seen; /* the ground by regions */
 static qtr_situation situation;
@@ -23,7 +23,7 @@ void setUp(void) {
   table_draw("1..S..2/..~.#.3", 2);
   const qtr_grid grid = qtr_mission_grid(&table_mission);
   limits = region_limits(3, 5);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &limits, &scratch));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &limits, scratch, sizeof scratch));
   const qtr_aggregation how = aggregation_of(NULL, &regions);
   TEST_ASSERT_EQUAL_INT(QTR_OK, aggregate_init(&seen, &table_game, &how, &table_field));
 }
@@ -204,7 +204,7 @@ static void build(bool (*spoil)(void *)) {
   const qtr_grid grid = qtr_mission_grid(&table_mission);
   limits.watch.go_on = spoil;
   for (uint32_t cell = 0; cell < qtr_grid_cells(&grid); cell++) regions.of[cell] = QTR_NO_REGION;
-  qtr_regions_build(&regions, &grid, &limits, &scratch);
+  qtr_regions_build(&regions, &grid, &limits, scratch, sizeof scratch);
 }
 
 static void build_too_wide(void) {
@@ -229,7 +229,7 @@ static void build_with_holes(void) {
 static void search_after_a_search_left_half_done(void) {
   static qtr_nearby nearby;
   const qtr_grid grid = qtr_mission_grid(&table_mission);
-  qtr_nearby_init(&nearby, &grid);
+  qtr_nearby_init(&nearby, scratch, &grid);
   nearby.time[0] = 0;
   qtr_nearby_measure(&nearby, 0, 5);
 }

@@ -9,7 +9,7 @@
 #include "support/tables.h"
 
 static qtr_regions regions;
-static qtr_regions_scratch scratch;
+static uint64_t scratch[(QTR_REGIONS_SCRATCH_BYTES + 7) / 8];
 static qtr_environment *seen; /* an aggregate of the ground */
 static qtr_situation situation;
 static qtr_routes routes;
@@ -43,7 +43,7 @@ static void bound_estimates(void) {
   const qtr_grid grid = qtr_mission_grid(&table_mission);
   const qtr_aggregation how = aggregation_of(NULL, &regions);
   qtr_regions_default(&limits);
-  qtr_regions_build(&regions, &grid, &limits, &scratch);
+  qtr_regions_build(&regions, &grid, &limits, scratch, sizeof scratch);
   aggregate_init(&seen, &table_game, &how, &table_field);
   begin_bound(seen);
 }

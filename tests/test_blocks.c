@@ -12,7 +12,7 @@ enum { GUARD = 64 };
 
 static qtr_learner_config config;
 static qtr_regions regions;
-static qtr_regions_scratch scratch;
+static uint64_t scratch[(QTR_REGIONS_SCRATCH_BYTES + 7) / 8];
 
 void setUp(void) {
   qtr_learner_config_default(&config);
@@ -39,7 +39,7 @@ static void give_back(uint8_t *block, size_t bytes) {
 static qtr_aggregation by_both(void) {
   const qtr_grid grid = qtr_mission_grid(&table_mission);
   const qtr_regions_config limits = region_limits(4, 3);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &limits, &scratch));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &limits, scratch, sizeof scratch));
   const qtr_spots_config spots = spot_limits(2, 5, 0.0);
   return aggregation_of(&spots, &regions);
 }
@@ -62,6 +62,19 @@ static void test_environment_stays_in_its_block(void) {
     TEST_ASSERT_NOT_NULL(made);
     give_back(block, bytes);
   }
+}
+
+static void test_division_stays_in_its_scratch(void) {
+  const qtr_grid grid = qtr_mission_grid(&table_mission);
+  const size_t bytes = qtr_regions_scratch_bytes(qtr_grid_cells(&grid));
+  const qtr_regions_config limits = region_limits(4, 3);
+  uint8_t *block = take(bytes);
+  TEST_ASSERT_LESS_OR_EQUAL(QTR_REGIONS_SCRATCH_BYTES, qtr_regions_scratch_bytes(QTR_MAX_CELLS));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_SPACE, qtr_regions_build(&regions, &grid, &limits, block, bytes - 1));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_SPACE, qtr_regions_build(&regions, &grid, &limits, NULL, bytes));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_regions_build(&regions, &grid, &limits, block + 4, bytes));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &limits, block, bytes));
+  give_back(block, bytes);
 }
 
 static void test_learner_stays_in_its_blocks(void) {
@@ -137,6 +150,7 @@ static void test_growing_table_learns_what_a_large_one_does(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_environment_stays_in_its_block);
+  RUN_TEST(test_division_stays_in_its_scratch);
   RUN_TEST(test_learner_stays_in_its_blocks);
   RUN_TEST(test_growing_table_learns_what_a_large_one_does);
   return UNITY_END();

@@ -48,7 +48,7 @@ static void test_robot_side_refuses_callers_of_other_sizes(void) {
 static void test_learner_side_refuses_callers_of_other_sizes(void) {
   static qtr_spots spots, scratch;
   static qtr_regions regions;
-  static qtr_regions_scratch regions_scratch;
+  static uint64_t regions_scratch[(QTR_REGIONS_SCRATCH_BYTES + 7) / 8];
   static qtr_belief belief;
   static qtr_any_start any;
   static qtr_start_trials trials;
@@ -64,10 +64,8 @@ static void test_learner_side_refuses_callers_of_other_sizes(void) {
   memset(&spots, 0xA5, sizeof spots);
   expect_refused(qtr_spots_build_sized(&spots, &ground, &limits, &scratch, FOREIGN), &spots, sizeof spots);
   memset(&regions, 0xA5, sizeof regions);
-  expect_refused(qtr_regions_build_built(&regions, &grid, &sizes, &regions_scratch, FOREIGN), &regions, sizeof regions);
-  memset(&regions_scratch, 0xA5, sizeof regions_scratch);
-  expect_refused(qtr_nearby_init_built(&regions_scratch.nearby, &grid, FOREIGN), &regions_scratch,
-                 sizeof regions_scratch);
+  expect_refused(qtr_regions_build_built(&regions, &grid, &sizes, regions_scratch, sizeof regions_scratch, FOREIGN),
+                 &regions, sizeof regions);
   memset(&any, 0xA5, sizeof any);
   expect_refused(qtr_any_start_init_built(&any, &asked, &blocks, &table_field, FOREIGN), &any, sizeof any);
   memset(&trials, 0xA5, sizeof trials);

@@ -66,7 +66,7 @@ static void test_learner(void) {
 
 static void test_regions(void) {
   static qtr_regions regions;
-  static qtr_regions_scratch scratch;
+  static uint64_t scratch[(QTR_REGIONS_SCRATCH_BYTES + 7) / 8];
   const qtr_grid grid = qtr_mission_grid(&mission);
   qtr_regions_config config;
   qtr_regions_default(&config);
@@ -75,7 +75,7 @@ static void test_regions(void) {
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_check(&config));
   UNMAKE(config);
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_regions_check(&config));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_regions_build(&regions, &grid, &config, &scratch));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_regions_build(&regions, &grid, &config, scratch, sizeof scratch));
 }
 
 static void test_spots(void) {

@@ -2,14 +2,16 @@
 /* Bounded searches: the distances of listed cells, against all-pairs distances worked out on their own. */
 #include <string.h>
 
-#include "quarter/nearby.h"
+#include "aggregate/nearby.h"
 #include "support/distances.h"
 #include "unity.h"
 
 static qtr_nearby nearby;
+static uint64_t block[2 * QTR_MAX_CELLS + 5]; /* what qtr_nearby_bytes() makes of all cells, or more */
 
 void setUp(void) {
   begin_map();
+  TEST_ASSERT_LESS_OR_EQUAL(sizeof block, qtr_nearby_bytes(QTR_MAX_CELLS));
   memset(&nearby, 0xA5, sizeof nearby);
   snprintf(case_note, sizeof case_note, "%s", "");
 }
@@ -37,7 +39,7 @@ static void test_distances_are_those_of_the_map(void) {
     scatter(&random, random_in(&random, 1, 14), random_in(&random, 1, 14), random_below(&random, 50), dearest);
     cost[0] = 1;
     work_out_distances();
-    qtr_nearby_init(&nearby, &grid);
+    qtr_nearby_init(&nearby, block, &grid);
     for (int k = 0; k < 10; k++) { /* one structure for them all: a search leaves nothing behind */
       const unsigned many = random_in(&random, 0, 40);
       qtr_nearby_clear(&nearby);
@@ -52,7 +54,7 @@ static void test_distances_are_those_of_the_map(void) {
 /* 3 steps into each rough cell: through them 3 + 3 + 3 + 1, round by the top 8. */
 static void test_the_shortest_way_counts(void) {
   draw("...../.###./.~~~.");
-  qtr_nearby_init(&nearby, &grid);
+  qtr_nearby_init(&nearby, block, &grid);
   qtr_nearby_list(&nearby, 14);
   TEST_ASSERT_FALSE(qtr_nearby_measure(&nearby, 10, 7));
   TEST_ASSERT_EQUAL_UINT32(QTR_NEVER, nearby.away[0]);
@@ -62,7 +64,7 @@ static void test_the_shortest_way_counts(void) {
 
 static void test_the_longer_direction_counts(void) {
   draw(".~#~."); /* 3 steps into the rough cell, 1 out of it */
-  qtr_nearby_init(&nearby, &grid);
+  qtr_nearby_init(&nearby, block, &grid);
   qtr_nearby_list(&nearby, 1);
   TEST_ASSERT_FALSE(qtr_nearby_measure(&nearby, 0, 2));
   TEST_ASSERT_TRUE(qtr_nearby_measure(&nearby, 0, 3));
@@ -75,7 +77,7 @@ static void test_the_longer_direction_counts(void) {
 
 static void test_a_cell_out_of_reach_is_beyond_every_limit(void) {
   draw("..#.");
-  qtr_nearby_init(&nearby, &grid);
+  qtr_nearby_init(&nearby, block, &grid);
   qtr_nearby_list(&nearby, 3);
   qtr_nearby_list(&nearby, 0);
   TEST_ASSERT_FALSE(qtr_nearby_measure(&nearby, 1, 65535));
@@ -85,7 +87,7 @@ static void test_a_cell_out_of_reach_is_beyond_every_limit(void) {
 
 static void test_listing_twice_lists_once(void) {
   draw("...");
-  qtr_nearby_init(&nearby, &grid);
+  qtr_nearby_init(&nearby, block, &grid);
   qtr_nearby_list(&nearby, 2);
   qtr_nearby_list(&nearby, 2);
   TEST_ASSERT_EQUAL_UINT32(1, nearby.listed);
@@ -98,7 +100,7 @@ static void test_listing_twice_lists_once(void) {
 /* Not a step further than the furthest cell listed: in a corridor one cell after the other comes up. */
 static void test_a_search_ends_with_the_last_cell_found(void) {
   draw("..............................");
-  qtr_nearby_init(&nearby, &grid);
+  qtr_nearby_init(&nearby, block, &grid);
   qtr_nearby_list(&nearby, 4);
   qtr_nearby_measure(&nearby, 0, 65535);
   TEST_ASSERT_EQUAL_UINT64(5, nearby.work);
@@ -107,7 +109,7 @@ static void test_a_search_ends_with_the_last_cell_found(void) {
 static void test_neighbours_come_in_the_order_north_east_south_west(void) {
   qtr_cell next[4];
   draw("#../.../.#.");
-  qtr_nearby_init(&nearby, &grid);
+  qtr_nearby_init(&nearby, block, &grid);
   TEST_ASSERT_EQUAL_INT(3, qtr_nearby_neighbours(&nearby, 4, next));
   TEST_ASSERT_EQUAL_UINT32(1, next[0]);
   TEST_ASSERT_EQUAL_UINT32(5, next[1]);

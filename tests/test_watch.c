@@ -160,23 +160,23 @@ static void test_more_work_asks_more_often(void) {
 
 static void test_regions_are_stopped_at_any_moment_or_are_the_same(void) {
   static qtr_regions regions, whole;
-  static qtr_regions_scratch scratch;
+  static uint64_t scratch[(QTR_REGIONS_SCRATCH_BYTES + 7) / 8];
   draw_mission("regions", 3);
   const qtr_grid grid = qtr_mission_grid(&table_mission);
   qtr_regions_config config;
   qtr_regions_default(&config);
   config.max_size = 5;
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&whole, &grid, &config, &scratch));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&whole, &grid, &config, scratch, sizeof scratch));
   config.watch = (qtr_watch){allow, &allowed};
   asked = 0;
   allowed = UINT64_MAX;
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &config, &scratch));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &config, scratch, sizeof scratch));
   TEST_ASSERT_EQUAL_MEMORY(whole.of, regions.of, sizeof whole.of);
   const uint64_t all = asked;
   TEST_ASSERT_TRUE(all > whole.count);
   for (allowed = 0; allowed < all; allowed++) {
     asked = 0;
-    TEST_ASSERT_EQUAL_INT(QTR_ERR_STOPPED, qtr_regions_build(&regions, &grid, &config, &scratch));
+    TEST_ASSERT_EQUAL_INT(QTR_ERR_STOPPED, qtr_regions_build(&regions, &grid, &config, scratch, sizeof scratch));
   }
 }
 

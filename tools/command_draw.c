@@ -73,7 +73,7 @@ typedef struct {
   problem drawn;
   qtr_field way;
   qtr_regions divided;
-  qtr_regions_scratch dividing;
+  memory_block dividing;
   qtr_spots grouped, grouping;
 } work;
 
@@ -206,7 +206,9 @@ static int add_regions(sheet *s, const options *o, fault *why) {
   config.weight = s->likelihood;
   const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->cost};
   const size_t cells = drawing_cells(&s->d);
-  const int status = qtr_regions_build(&desk->divided, &grid, &config, &desk->dividing);
+  memory_block *scratch = &desk->dividing;
+  if (memory_need(scratch, qtr_regions_scratch_bytes((uint32_t)cells), why) != 0) return -1;
+  const int status = qtr_regions_build(&desk->divided, &grid, &config, scratch->at, scratch->bytes);
   if (status != QTR_OK) return fault_set(why, "%s: its regions: %s", o->input, qtr_strerror(status));
   s->region = malloc(cells * sizeof *s->region);
   if (s->region == NULL || desk->divided.count > UINT16_MAX)
@@ -216,10 +218,11 @@ static int add_regions(sheet *s, const options *o, fault *why) {
   s->d.region = s->region;
   s->d.regions = desk->divided.count;
   s->d.representative = desk->divided.representative;
+  const uint16_t *error = qtr_regions_errors(scratch->at);
   for (size_t cell = 0; cell < cells; cell++) {
     if (desk->divided.of[cell] == QTR_NO_REGION) continue;
     s->free_cells++;
-    s->mean_distance += desk->dividing.error[cell];
+    s->mean_distance += error[cell];
   }
   if (s->free_cells > 0) s->mean_distance /= s->free_cells;
   add_line(s, "regions\t%" PRIu32, desk->divided.count);

@@ -10,7 +10,6 @@
 #include "quarter/game.h"
 #include "quarter/learner.h"
 #include "quarter/mission.h"
-#include "quarter/nearby.h"
 #include "quarter/objective.h"
 #include "quarter/play.h"
 #include "quarter/random.h"

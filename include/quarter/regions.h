@@ -2,7 +2,7 @@
  * position to the learner.
  *
  * A region is connected, has at most max_size cells, and no two of its cells are further apart than `diameter`, as
- * quarter/nearby.h measures it: by the shortest way on the map, which may leave the region, and in the direction that
+ * lib/aggregate/nearby.h measures it: by the shortest way on the map, which may leave the region, and in the direction that
  * takes longer. Every free cell is in exactly one region.
  *
  * A region's representative is its geometric median: the member with the least sum of distances to the members, the
@@ -11,11 +11,11 @@
 #ifndef QUARTER_REGIONS_H
 #define QUARTER_REGIONS_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "quarter/config.h"
 #include "quarter/grid.h"
-#include "quarter/nearby.h"
 #include "quarter/status.h"
 #include "quarter/watch.h"
 
@@ -43,19 +43,6 @@ typedef struct {
   uint16_t size[QTR_MAX_REGIONS];           /* cells, by region */
 } qtr_regions;
 
-/* Caller's memory for the division. Large: keep it in static storage. */
-typedef struct {
-  qtr_nearby nearby;                 /* nearby.work: what the division cost */
-  qtr_cell waiting[QTR_MAX_CELLS];   /* free cells beside the regions grown so far */
-  uint16_t error[QTR_MAX_CELLS];     /* distance from the representative, afterwards too */
-  uint8_t changed[QTR_MAX_REGIONS];  /* since its representative was found */
-  uint32_t sum[QTR_NEARBY_MOST];     /* of the listed cells: distances from a region's members */
-  uint8_t touching[QTR_NEARBY_MOST]; /* of the listed cells: neighbours in a growing region */
-  uint32_t chosen_count;
-  qtr_cell chosen[QTR_NEARBY_MOST];       /* cells that may change their region */
-  qtr_steps chosen_away[QTR_NEARBY_MOST]; /* and their distances from the representative there */
-} qtr_regions_scratch;
-
 /* The limits of the paper's example (Fig. 5.3): 25 cells, 15 steps; no places. */
 void qtr_regions_default(qtr_regions_config *config);
 
@@ -63,16 +50,28 @@ void qtr_regions_default(qtr_regions_config *config);
  * QTR_ERR_LIMIT for limits or places beyond what the build holds. */
 int qtr_regions_check(const qtr_regions_config *config);
 
-/* Divide the free cells of a grid. Regions are grown greedily; then borders are straightened, and the cells of leftovers
+/* Bytes of scratch that dividing a grid of so many cells takes. */
+size_t qtr_regions_scratch_bytes(uint32_t cells);
+
+/* At most, for a block in static storage. */
+#define QTR_REGIONS_SCRATCH_BYTES                                                                                      \
+  ((size_t)QTR_MAX_CELLS * (sizeof(qtr_steps) + 3 * sizeof(qtr_cell) + 6) + QTR_MAX_REGION_SIZE * 64 + 2048)
+
+/* Divide the free cells of a grid, in `bytes` of scratch, aligned as for a uint64_t. Regions are grown greedily; then borders are straightened, and the cells of leftovers
  * given to their neighbours. Work and time are linear in the cells. The same input gives the same regions.
- * What qtr_regions_check() says of the config; QTR_ERR_ARGUMENT: a side of the grid is 0; QTR_ERR_LIMIT: the grid is beyond
+ * What qtr_regions_check() says of the config; QTR_ERR_ARGUMENT: a side of the grid is 0, or the scratch
+ * is not aligned; QTR_ERR_SPACE: it is smaller than qtr_regions_scratch_bytes(); QTR_ERR_LIMIT: the grid is beyond
  * what the build holds, or more than QTR_MAX_REGIONS regions were grown; QTR_ERR_PLACE,
  * QTR_ERR_WEIGHT: a place lies outside the grid, a likelihood is not above 0; QTR_ERR_CONFIG: the caller was built under
  * other sizes; QTR_ERR_STOPPED by the watch. The regions are then of no use. */
-#define qtr_regions_build(regions, grid, config, scratch)                                                              \
-  qtr_regions_build_built(regions, grid, config, scratch, QTR_CONFIG_ID)
-int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
-                            qtr_regions_scratch *scratch, uint32_t config_id);
+#define qtr_regions_build(regions, grid, config, scratch, bytes)                                                       \
+  qtr_regions_build_built(regions, grid, config, scratch, bytes, QTR_CONFIG_ID)
+int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config, void *scratch,
+                            size_t bytes, uint32_t config_id);
+
+/* Steps to each free cell from its region's representative, as the division left them in its scratch: by so much at most a
+ * travel time taken from there is wrong. */
+const uint16_t *qtr_regions_errors(const void *scratch);
 
 /* The region of a cell; QTR_NO_REGION if it is blocked or outside the grid. */
 static inline qtr_region qtr_regions_of(const qtr_regions *regions, qtr_cell cell) {

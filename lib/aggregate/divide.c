@@ -3,6 +3,7 @@
 
 #include "aggregate/growing.h"
 #include "aggregate/settling.h"
+#include "core/block.h"
 
 #define ROUNDS 2 /* of exchanging and dissolving; a third takes a tenth longer for one region less in 500 */
 
@@ -43,25 +44,53 @@ static int check_ground(const qtr_grid *grid, const qtr_regions_config *config) 
   return QTR_OK;
 }
 
+/* The public header's size holds what stands in the scratch. */
+typedef char scratch_fits[sizeof(qtr_regions_scratch) + QTR_MAX_CELLS * (sizeof(qtr_steps) + 3 * sizeof(qtr_cell) + 6) +
+                                      8 * sizeof(uint64_t) <=
+                                  QTR_REGIONS_SCRATCH_BYTES
+                              ? 1
+                              : -1];
+
+size_t qtr_regions_scratch_bytes(uint32_t cells) {
+  return block_piece(sizeof(qtr_regions_scratch)) + qtr_nearby_bytes(cells) + block_piece(cells * sizeof(qtr_cell)) +
+         block_piece(cells * sizeof(uint16_t)) + block_piece(cells);
+}
+
+const uint16_t *qtr_regions_errors(const void *scratch) {
+  return ((const qtr_regions_scratch *)scratch)->error;
+}
+
+static qtr_regions_scratch *lay_out(void *block, const qtr_grid *grid) {
+  const uint32_t cells = qtr_grid_cells(grid);
+  uint8_t *left = block;
+  qtr_regions_scratch *scratch = block_cut(&left, sizeof *scratch);
+  scratch->waiting = block_cut(&left, cells * sizeof *scratch->waiting);
+  scratch->error = block_cut(&left, cells * sizeof *scratch->error);
+  scratch->changed = block_cut(&left, cells);
+  qtr_nearby_init(&scratch->nearby, left, grid);
+  return scratch;
+}
+
 /* No cell is in a region yet. */
-static void begin(const qtr_division *d, const qtr_grid *grid) {
+static void begin(const qtr_division *d) {
   d->regions->count = 0;
   d->regions->cells = d->cells;
-  qtr_nearby_init(d->nearby, grid);
   for (uint32_t cell = 0; cell < d->cells; cell++) d->regions->of[cell] = QTR_NO_REGION;
   memset(d->scratch->error, 0, d->cells * sizeof *d->scratch->error);
 }
 
 /* Grown greedily regions leave crumbs and crooked borders, for what is grown first takes what suits it. Exchanging makes room
  * where dissolving needs it, and the other way round. True medians come last, when nothing moves any more. */
-int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config,
-                            qtr_regions_scratch *scratch, uint32_t config_id) {
+int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config, void *block,
+                            size_t bytes, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   int status = qtr_regions_check(config);
   if (status == QTR_OK) status = check_ground(grid, config);
+  if (status == QTR_OK) status = block_check(block, bytes, qtr_regions_scratch_bytes(qtr_grid_cells(grid)));
   if (status != QTR_OK) return status;
+  qtr_regions_scratch *scratch = lay_out(block, grid);
   const qtr_division d = {regions, config, scratch, &scratch->nearby, qtr_grid_cells(grid)};
-  begin(&d, grid);
+  begin(&d);
   status = qtr_division_grow(&d);
   if (status != QTR_OK) return status;
   qtr_division_follow_medians(&d);

@@ -3,7 +3,22 @@
 #ifndef QUARTER_AGGREGATE_DIVISION_H
 #define QUARTER_AGGREGATE_DIVISION_H
 
+#include "aggregate/nearby.h"
 #include "quarter/regions.h"
+
+/* What stands at the start of the caller's scratch. */
+typedef struct {
+  qtr_nearby nearby; /* nearby.work: what the division cost */
+  /* by cell, or by region of those grown so far, which are no more */
+  qtr_cell *waiting;                 /* free cells beside the regions grown so far */
+  uint16_t *error;                   /* distance from the representative, afterwards too */
+  uint8_t *changed;                  /* since its representative was found */
+  uint32_t sum[QTR_NEARBY_MOST];     /* of the listed cells: distances from a region's members */
+  uint8_t touching[QTR_NEARBY_MOST]; /* of the listed cells: neighbours in a growing region */
+  uint32_t chosen_count;
+  qtr_cell chosen[QTR_NEARBY_MOST];       /* cells that may change their region */
+  qtr_steps chosen_away[QTR_NEARBY_MOST]; /* and their distances from the representative there */
+} qtr_regions_scratch;
 
 typedef struct {
   qtr_regions *regions;

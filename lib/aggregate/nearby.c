@@ -1,7 +1,7 @@
-#include "quarter/nearby.h"
+#include "aggregate/nearby.h"
 
+#include "core/block.h"
 #include "core/ring.h"
-#include "quarter/status.h"
 
 static bool is_free(const qtr_grid *grid, uint32_t cell) {
   return cell < qtr_grid_cells(grid) && qtr_grid_cost(grid, (qtr_cell)cell) > 0;
@@ -19,10 +19,19 @@ static uint8_t find_ways(const qtr_grid *grid, uint32_t cell) {
   return (uint8_t)ways;
 }
 
-int qtr_nearby_init_built(qtr_nearby *nearby, const qtr_grid *grid, uint32_t config_id) {
+size_t qtr_nearby_bytes(uint32_t cells) {
+  return block_piece(cells * sizeof(qtr_steps)) + 2 * block_piece(cells * sizeof(qtr_cell)) +
+         block_piece(cells * sizeof(uint16_t)) + block_piece(cells);
+}
+
+void qtr_nearby_init(qtr_nearby *nearby, void *block, const qtr_grid *grid) {
   const uint32_t cells = qtr_grid_cells(grid);
-  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  if (cells > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
+  uint8_t *left = block;
+  nearby->time = block_cut(&left, cells * sizeof *nearby->time);
+  nearby->link = block_cut(&left, cells * sizeof *nearby->link);
+  nearby->reached = block_cut(&left, cells * sizeof *nearby->reached);
+  nearby->slot = block_cut(&left, cells * sizeof *nearby->slot);
+  nearby->ways = block_cut(&left, cells);
   nearby->grid = grid;
   nearby->work = 0;
   nearby->listed = 0;
@@ -32,7 +41,6 @@ int qtr_nearby_init_built(qtr_nearby *nearby, const qtr_grid *grid, uint32_t con
     nearby->slot[cell] = 0;
   }
   ring_clear(nearby->ring);
-  return QTR_OK;
 }
 
 void qtr_nearby_unlist(qtr_nearby *nearby, uint32_t index) {

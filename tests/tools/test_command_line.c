@@ -101,7 +101,7 @@ static void test_memory_that_is_not_to_be_had_is_said(void) {
                                       "tune area.txt --learner paper --episodes 2"};
   for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
     char line[200];
-    snprintf(line, sizeof line, "ulimit -v 32768; $Q %s", lines[i]);
+    snprintf(line, sizeof line, "ulimit -v 16384; $Q %s", lines[i]);
     run_shell(line);
     expect_one_line(2, "no memory", lines[i]);
   }

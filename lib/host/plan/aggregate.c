@@ -4,14 +4,14 @@
 #include <string.h>
 
 static int divide_by_limits(qtr_regions *regions, const aggregate_config *config, const qtr_mission *mission,
-                            qtr_regions_scratch *scratch) {
+                            const memory_block *scratch) {
   const qtr_grid grid = qtr_mission_grid(mission);
   qtr_regions_config limits = config->regions;
   limits.places = mission->places;
   limits.place = mission->place;
   limits.weight = mission->weight;
   limits.watch = mission->watch;
-  return qtr_regions_build(regions, &grid, &limits, scratch);
+  return qtr_regions_build(regions, &grid, &limits, scratch->at, scratch->bytes);
 }
 
 const char *const aggregate_names[] = {[AGGREGATE_NONE] = "none",
@@ -27,7 +27,7 @@ const char aggregate_help[] =
 /* In the order of the names. */
 static const struct {
   int (*divide)(qtr_regions *regions, const aggregate_config *config, const qtr_mission *mission,
-                qtr_regions_scratch *scratch);
+                const memory_block *scratch);
   bool by_regions, by_spots;
 } ways[] = {[AGGREGATE_NONE] = {divide_by_limits, false, false},
             [AGGREGATE_REGIONS] = {divide_by_limits, true, false},
@@ -50,6 +50,6 @@ bool aggregate_by_spots(int way) {
 }
 
 int aggregate_divide(qtr_regions *regions, const aggregate_config *config, const qtr_mission *mission,
-                     qtr_regions_scratch *scratch) {
+                     const memory_block *scratch) {
   return ways[config->way].divide(regions, config, mission, scratch);
 }

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "host/base/memory.h"
 #include "quarter/environment.h"
 #include "quarter/mission.h"
 #include "quarter/regions.h"
@@ -28,8 +29,9 @@ void aggregate_default(aggregate_config *config);
 bool aggregate_by_regions(int way);
 bool aggregate_by_spots(int way);
 
-/* Divide a mission's map as the way does, or by regions where it does not. As qtr_regions_build() returns. */
+/* Divide a mission's map as the way does, or by regions where it does not, in qtr_regions_scratch_bytes() of scratch. As
+ * qtr_regions_build() returns. */
 int aggregate_divide(qtr_regions *regions, const aggregate_config *config, const qtr_mission *mission,
-                     qtr_regions_scratch *scratch);
+                     const memory_block *scratch);
 
 #endif

@@ -25,10 +25,12 @@ void study_drop(study *s) {
 
 int study_divide(study *s, const aggregate_config *how, fault *why) {
   if (s->regions == NULL) s->regions = memory_take(sizeof *s->regions, why);
-  qtr_regions_scratch *scratch = s->regions != NULL ? memory_take(sizeof *scratch, why) : NULL;
-  if (scratch == NULL) return -1;
-  const int status = aggregate_divide(s->regions, how, &s->p.in.mission, scratch);
-  free(scratch);
+  memory_block scratch = {0};
+  if (s->regions == NULL ||
+      memory_need(&scratch, qtr_regions_scratch_bytes(qtr_mission_cells(&s->p.in.mission)), why) != 0)
+    return -1;
+  const int status = aggregate_divide(s->regions, how, &s->p.in.mission, &scratch);
+  memory_drop(&scratch);
   if (status == QTR_OK || status == QTR_ERR_STOPPED) return status;
   return fault_set(why, "%s: its regions: %s", s->p.in.path, qtr_strerror(status));
 }

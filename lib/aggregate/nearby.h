@@ -3,10 +3,11 @@
  * How far apart two cells are is the travel time between them on the map, by the shortest way there is. With terrain the
  * two directions differ, and the longer one counts.
  */
-#ifndef QUARTER_NEARBY_H
-#define QUARTER_NEARBY_H
+#ifndef QUARTER_AGGREGATE_NEARBY_H
+#define QUARTER_AGGREGATE_NEARBY_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "quarter/config.h"
@@ -17,25 +18,26 @@
 
 enum { QTR_WAY_NORTH = 1, QTR_WAY_EAST = 2, QTR_WAY_SOUTH = 4, QTR_WAY_WEST = 8 };
 
-/* Large: keep it in static storage. */
 typedef struct {
   const qtr_grid *grid;
-  uint64_t work;                 /* cells that all searches came to since the start: what they cost */
-  qtr_steps time[QTR_MAX_CELLS]; /* of the search under way: from the cell to its start; QTR_NEVER between searches */
-  qtr_cell link[QTR_MAX_CELLS];  /* cells waiting in the same ring entry */
+  uint64_t work; /* cells that all searches came to since the start: what they cost */
+  /* by cell */
+  qtr_steps *time;   /* of the search under way: from the cell to its start; QTR_NEVER between searches */
+  qtr_cell *link;    /* cells waiting in the same ring entry */
+  qtr_cell *reached; /* by the search under way, in its order */
+  uint16_t *slot;    /* 1 + the cell's index in the list; 0: not listed */
+  uint8_t *ways;     /* bits QTR_WAY_...: which neighbours are free */
   qtr_cell ring[QTR_TRAVEL_RING];
-  qtr_cell reached[QTR_MAX_CELLS]; /* by the search under way */
-  uint8_t ways[QTR_MAX_CELLS];     /* bits QTR_WAY_...: which neighbours are free */
-  uint16_t slot[QTR_MAX_CELLS];    /* 1 + the cell's index in the list; 0: not listed */
   uint32_t listed;
   qtr_cell list[QTR_NEARBY_MOST];  /* the cells that a search is about */
   qtr_steps away[QTR_NEARBY_MOST]; /* their distances from the last search's start; QTR_NEVER: beyond its limit */
 } qtr_nearby;
 
-/* The grid must outlive the structure. The list is empty. QTR_OK; QTR_ERR_LIMIT for a grid of more cells than the build
- * holds, QTR_ERR_CONFIG if the caller was built under other sizes. */
-#define qtr_nearby_init(nearby, grid) qtr_nearby_init_built(nearby, grid, QTR_CONFIG_ID)
-int qtr_nearby_init_built(qtr_nearby *nearby, const qtr_grid *grid, uint32_t config_id);
+/* Bytes of the block that searches of a grid of so many cells take. */
+size_t qtr_nearby_bytes(uint32_t cells);
+
+/* An empty list. Grid and block, which is aligned as for a uint64_t, must outlive the structure. */
+void qtr_nearby_init(qtr_nearby *nearby, void *block, const qtr_grid *grid);
 
 /* List a cell that is not listed yet; nothing happens to one that is, or lies outside, or is one more than QTR_NEARBY_MOST. */
 static inline void qtr_nearby_list(qtr_nearby *nearby, qtr_cell cell) {
