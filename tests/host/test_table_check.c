@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "host/table/table_check.h"
-#include "support/tables.h"
+#include "support/forging.h"
 #include "support/tool_run.h"
 
 #define FORGED QUARTER_SOURCE_DIR "/tests/data/forged/"

@@ -1,10 +1,7 @@
-/* The blocks of a learner for the tests, in static storage as firmware has them: one ground, one aggregate, one learner. Their
- * insides are seen. */
+/* The blocks of a learner for the tests, in static storage as firmware has them: one ground, one aggregate, one learner. */
 #ifndef QUARTER_TESTS_LEARNING_H
 #define QUARTER_TESTS_LEARNING_H
 
-#include "aggregate/environment.h"
-#include "learn/learner.h"
 #include "quarter/learner.h"
 
 static qtr_learner_memory learning_memory;

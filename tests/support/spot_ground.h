@@ -2,9 +2,9 @@
 #ifndef QUARTER_TESTS_SPOT_GROUND_H
 #define QUARTER_TESTS_SPOT_GROUND_H
 
-#include "core/bytes.h"
 #include "missions.h"
 #include "quarter/spots.h"
+#include "steps.h"
 
 static qtr_mission mission;                                      /* its weights are the ground's */
 static uint8_t steps[4 * (QTR_MAX_PLACES + 1) * QTR_MAX_PLACES]; /* the last node is where a seeker comes from */
@@ -17,11 +17,11 @@ static inline void ground_begin(unsigned places) {
 }
 
 static inline void set_way(unsigned node, unsigned place, qtr_steps way) {
-  store32_le(steps + 4 * (node * ground.places + place), way);
+  steps_put(steps, node * ground.places + place, way);
 }
 
 static inline qtr_steps way_of(unsigned node, unsigned place) {
-  return load32_le(steps + 4 * (node * ground.places + place));
+  return steps_get(steps, node * ground.places + place);
 }
 
 /* The travel times between the mission's places, and from its first start as one more node. */

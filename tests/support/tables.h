@@ -1,9 +1,7 @@
-/* Policy tables for the tests: learnt from a mission, and forged. */
+/* Policy tables for the tests, learnt from a mission. */
 #ifndef QUARTER_TESTS_TABLES_H
 #define QUARTER_TESTS_TABLES_H
 
-#include "core/bytes.h"
-#include "core/crc.h"
 #include "learning.h"
 #include "missions.h"
 #include "quarter/export.h"
@@ -13,7 +11,7 @@
 #include "quarter/status.h"
 #include "quarter/writer.h"
 #include "random.h"
-#include "robot/layout.h"
+#include "steps.h"
 #include "unity.h"
 
 enum { TABLE_MOST = 64 * 1024 };
@@ -88,7 +86,7 @@ static inline void table_draw_regions(void) {
     TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_field_fill(&table_field, &grid, table_mission.place[place]));
     for (unsigned node = 0; node < 5; node++) {
       const qtr_cell cell = node < 2 ? table_mission.place[node] : start[node - 2];
-      store32_le(steps + 4 * (node * 2 + place), table_field.to_go[cell]);
+      steps_put(steps, node * 2 + place, table_field.to_go[cell]);
     }
   }
   uint16_t of[14];
@@ -99,21 +97,6 @@ static inline void table_draw_regions(void) {
   const int32_t written = qtr_table_write(&content, table_bytes, sizeof table_bytes);
   TEST_ASSERT_GREATER_THAN(0, written);
   table_size = (uint32_t)written;
-}
-
-/* Make the checksum right again. */
-static inline void table_seal(uint8_t *bytes, uint32_t size) {
-  store32_le(bytes + QTR_POLICY_CRC, qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
-}
-
-/* Make checksum and digest right for what the bytes say now, as a forger would, and open. */
-static inline int table_forge(qtr_policy *policy, uint8_t *bytes, uint32_t size) {
-  table_seal(bytes, size);
-  const int status = qtr_policy_open(policy, bytes, size);
-  if (status != QTR_ERR_SELFTEST || policy->board.keys.words != bytes[QTR_POLICY_KEY_WORDS]) return status;
-  store32_le(bytes + QTR_POLICY_DIGEST, qtr_policy_digest(policy));
-  table_seal(bytes, size);
-  return qtr_policy_open(policy, bytes, size);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "support/tables.h"
+#include "support/forging.h"
 
 static qtr_policy policy;
 

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "learn/learner.h"
 #include "quarter/learner.h"
 #include "support/brute.h"
 #include "support/learning.h"

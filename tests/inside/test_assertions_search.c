@@ -5,8 +5,8 @@
 
 #include "learn/episode.h"
 #include "support/death.h"
+#include "support/forging.h"
 #include "support/settings.h"
-#include "support/tables.h"
 
 static qtr_regions regions;
 static uint64_t scratch[(QTR_REGIONS_SCRATCH_BYTES + 7) / 8];

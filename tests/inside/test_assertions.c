@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/bytes.h"
+#include "learn/learner.h"
 #include "quarter/any_start.h"
 #include "quarter/random.h"
 #include "quarter/rest.h"
@@ -13,7 +14,7 @@
 #include "robot/board.h"
 #include "robot/layout.h"
 #include "support/death.h"
-#include "support/tables.h"
+#include "support/forging.h"
 #include "table/record.h"
 
 static qtr_policy policy;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "quarter/seeker.h"
-#include "support/tables.h"
+#include "support/forging.h"
 
 static qtr_policy policy;
 static uint8_t copy[TABLE_MOST];

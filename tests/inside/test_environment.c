@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "aggregate/environment.h"
+#include "learn/learner.h"
 #include "quarter/learner.h"
 #include "support/learning.h"
 #include "support/missions.h"

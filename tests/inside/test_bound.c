@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "quarter/game.h"
+#include "search/bound.h"
 #include "support/brute.h"
 #include "support/learning.h"
 #include "support/random.h"

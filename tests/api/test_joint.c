@@ -3,11 +3,11 @@
  * the states are equal but for who is who. */
 #include <string.h>
 
-#include "core/bytes.h"
 #include "quarter/joint.h"
 #include "quarter/status.h"
 #include "support/brute.h"
 #include "support/random.h"
+#include "support/steps.h"
 #include "unity.h"
 
 enum { MOST_NODES = QTR_MAX_PLACES + QTR_MAX_SEEKERS, POOL = 2500 };
@@ -28,7 +28,7 @@ void tearDown(void) {
 }
 
 static void set_steps(unsigned node, unsigned place, qtr_steps value) {
-  store32_le(steps + 4 * (node * board.places + place), value);
+  steps_put(steps, node * board.places + place, value);
 }
 
 static qtr_steps apart(unsigned a, unsigned b) {

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "learn/learner.h"
 #include "support/settings.h"
 #include "support/tables.h"
 

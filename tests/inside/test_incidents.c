@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "quarter/seeker.h"
-#include "support/tables.h"
+#include "support/forging.h"
 
 enum { MOST_SEEKERS = 4, TABLES = 2, NOBODY = -1 };
 

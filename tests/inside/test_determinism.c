@@ -4,7 +4,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "support/tables.h"
+#include "learn/learner.h"
+#include "support/forging.h"
 
 static uint8_t first[TABLE_MOST];
 static uint32_t first_size;

@@ -4,6 +4,7 @@
 
 #include "quarter/learn.h"
 #include "quarter/status.h"
+#include "search/explore.h"
 #include "support/learning.h"
 #include "support/missions.h"
 #include "support/settings.h"

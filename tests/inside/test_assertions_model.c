@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "aggregate/environment.h"
 #include "aggregate/nearby.h"
 #include "quarter/belief.h"
 #include "quarter/spots.h"

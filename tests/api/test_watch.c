@@ -109,8 +109,9 @@ static void stop_everywhere(const char *test, bool spots, uint8_t setting, bool 
       if (!goes_on) continue;
       go_on_to_the_end();
       TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(2e-5 * optimum, optimum,
-                                        table_mission.aim.kind == QTR_TIME ? table_learner->best.score.expected_time
-                                                                           : table_learner->best.score.value,
+                                        table_mission.aim.kind == QTR_TIME
+                                            ? qtr_learner_best(table_learner)->score.expected_time
+                                            : qtr_learner_best(table_learner)->score.value,
                                         case_note);
     }
   }

@@ -46,7 +46,7 @@ static bool learn_rest(void) {
 }
 
 static void take_routes(qtr_routes *routes) {
-  qtr_play_to_routes(&table_learner->best, &table_game, routes);
+  qtr_play_to_routes(qtr_learner_best(table_learner), &table_game, routes);
 }
 
 static void learn_own(void) {
@@ -358,7 +358,7 @@ static void try_all(qtr_start_trials *trials) {
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_start_trials_begin(trials, 1));
   table_mission = mission;
   while (qtr_start_trials_next(trials, &policy, &mission, &table_mission))
-    if (learn_rest()) qtr_start_trials_add(trials, &policy, &table_game, table_learner->best.score.worth);
+    if (learn_rest()) qtr_start_trials_add(trials, &policy, &table_game, qtr_learner_best(table_learner)->score.worth);
 }
 
 static void test_where_each_cell_is_a_region_nothing_is_lost(void) {
