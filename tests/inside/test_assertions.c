@@ -7,6 +7,7 @@
 #include "core/bytes.h"
 #include "learn/learner.h"
 #include "quarter/any_start.h"
+#include "quarter/claim.h"
 #include "quarter/random.h"
 #include "quarter/rest.h"
 #include "quarter/seeker.h"
@@ -190,6 +191,12 @@ static void follow_a_field_of_another_grid(void) {
   qtr_field_next(&table_field, &grid, 1);
 }
 
+static void claim_what_no_robot_knows(void) {
+  qtr_claim claim;
+  copy[QTR_POLICY_OBJECTIVE] = 99;
+  qtr_claim_read(&claim, &policy);
+}
+
 static void test_open_policy(void) {
   TEST_ASSERT_GREATER_THAN_UINT32(1, policy.records);
   expect_death("a node lies on the grid", move_a_node_off_the_grid);
@@ -198,6 +205,7 @@ static void test_open_policy(void) {
   expect_death("sections have sizes of 32 bits", lay_out_more_than_32_bits);
   expect_death("and a grid that the build holds", lay_out_more_cells_than_there_are);
   expect_death("a field is of its grid", follow_a_field_of_another_grid);
+  expect_death("an objective is one that robots know", claim_what_no_robot_knows);
 }
 
 /* ---- tables under way ---- */
