@@ -71,7 +71,7 @@
 #define QTR_MAX_REGION_DIAMETER 65535
 #endif
 
-/* Learner: 32-bit words given to the Q-table's entries. An entry takes 2 words for a small mission and up to 7 for a
+/* Learner: 32-bit words given to the Q-table's entries at most. An entry takes 2 words for a small mission and up to 7 for a
  * large one. A full table refuses new entries and counts them; the certificate stays valid, its gap closes slower. */
 #ifndef QTR_QTABLE_WORDS
 #ifdef QTR_PROFILE_MCU
@@ -84,7 +84,7 @@
 #define QTR_QTABLE_LEAST_WORDS 1024 /* that a table can begin with */
 
 /* Learner: time slots of the price bound. A mission whose search takes more steps is bounded in slots of several
- * steps, which stays valid and is less tight. Memory: 18 bytes for every slot and place. */
+ * steps, which stays valid and is less tight. Memory: 24 bytes for every slot and place. */
 #ifndef QTR_BOUND_SLOTS
 #ifdef QTR_PROFILE_MCU
 #define QTR_BOUND_SLOTS 256

@@ -54,8 +54,9 @@ size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how);
 /* Set an environment up over a game, in a block of so many bytes, aligned as for a uint64_t. `how` NULL: no aggregation, and
  * the rule is the mission's. `field` is scratch. Game, regions and block must outlive it. QTR_OK, and then alone
  * `*environment` is set; QTR_ERR_SPACE for a block of fewer bytes than qtr_environment_bytes(), QTR_ERR_ARGUMENT for one that
- * is not aligned; an error of qtr_aggregation_check() or qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way; QTR_ERR_CONFIG if the caller was
- * built under other sizes; QTR_ERR_STOPPED by the mission's watch, never without aggregation. */
+ * is not aligned; an error of qtr_aggregation_check() or qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way;
+ * QTR_ERR_CONFIG if the caller was built under other sizes; QTR_ERR_STOPPED by the mission's watch, never without
+ * aggregation. */
 #define qtr_environment_init(environment, block, bytes, game, how, field)                                              \
   qtr_environment_init_built(environment, block, bytes, game, how, field, QTR_CONFIG_ID)
 int qtr_environment_init_built(qtr_environment **environment, void *block, size_t bytes, const qtr_game *game,

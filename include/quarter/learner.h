@@ -102,7 +102,7 @@ size_t qtr_learner_bytes(const qtr_game *game);
 
 /* At most: what the bound's prices, the game under way and the search on it take, then the bound's gains. */
 #define QTR_LEARNER_BYTES                                                                                              \
-  (2 * sizeof(qtr_play) + 2 * sizeof(qtr_routes) + QTR_MAX_CHOICES * (sizeof(qtr_key) + QTR_RECORD_BYTES + 56) +       \
+  (2 * sizeof(qtr_play) + 2 * sizeof(qtr_routes) + QTR_MAX_CHOICES * (sizeof(qtr_key) + QTR_RECORD_BYTES + 64) +       \
    (size_t)QTR_MAX_PLACES * (sizeof(qtr_key) + 64 + 4 * (QTR_MAX_NODES + QTR_MAX_PLACES) + 24 * QTR_BOUND_SLOTS) +     \
    1024)
 
@@ -123,9 +123,9 @@ typedef struct {
 /* Begin, on the ground (an environment without aggregation) or on an aggregate of the same game (NULL: none). Then the
  * game must have the free rule: what was learnt on the aggregate is played on the ground as routes. Both environments
  * must outlive the learner. QTR_OK, and then alone `*learner` is set; QTR_ERR_SPACE for a block that is smaller than it says
- * above, QTR_ERR_ARGUMENT for one that is not aligned, a config that fails its check or the certified setting on regions, whose times
- * are no bound; QTR_ERR_CONFIG if the caller was built under other array sizes. There is a first game in any case: a stop by
- * the mission's watch leaves it as it is, with a bound that is not tight. */
+ * above; QTR_ERR_ARGUMENT for one that is not aligned, a config that fails its check, or the certified setting on regions,
+ * whose times are no bound; QTR_ERR_CONFIG if the caller was built under other array sizes. There is a first game in any case:
+ * a stop by the mission's watch leaves it as it is, with a bound that is not tight. */
 #define qtr_learner_init(learner, blocks, ground, aggregate, config)                                                   \
   qtr_learner_init_built(learner, blocks, ground, aggregate, config, QTR_CONFIG_ID)
 int qtr_learner_init_built(qtr_learner **learner, const qtr_learner_blocks *blocks, const qtr_environment *ground,

@@ -2,7 +2,6 @@
 #ifndef QUARTER_PLAY_H
 #define QUARTER_PLAY_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "quarter/config.h"
@@ -34,23 +33,8 @@ typedef struct {
   qtr_route_score score[QTR_MAX_SEEKERS];
 } qtr_routes;
 
-/* Begin an empty play. */
-void qtr_play_begin(qtr_play *play);
-
-/* Add a choice. One of no seeker's or no place's, and one more than QTR_MAX_CHOICES, is left out. */
-void qtr_play_add(qtr_play *play, int seeker, uint16_t choice);
-
 /* Fill in visits and score by playing the choices again: what is reported is what they earn, whatever was learnt. */
 void qtr_play_score(qtr_play *play, const qtr_game *game);
-
-/* A game to have something to improve on: always the most likely place for the way. Scored. */
-void qtr_play_by_rate(qtr_play *play, const qtr_game *game);
-
-/* Whether no place is on two routes, or on one twice. */
-bool qtr_routes_are_division(const qtr_routes *routes, unsigned seekers);
-
-/* The game in which each seeker follows its route and stands down at its end. Free rule alone. Scored. */
-void qtr_play_routes(qtr_play *play, const qtr_game *game, const qtr_routes *routes);
 
 /* The routes that a play's choices make. */
 void qtr_play_to_routes(const qtr_play *play, const qtr_game *game, qtr_routes *routes);

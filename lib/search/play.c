@@ -1,4 +1,4 @@
-#include "quarter/play.h"
+#include "search/play.h"
 
 #include <stddef.h>
 

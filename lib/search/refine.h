@@ -12,7 +12,7 @@
 
 #include "quarter/config.h"
 #include "quarter/game.h"
-#include "quarter/play.h"
+#include "search/play.h"
 
 /* Caller's memory for the search. */
 typedef struct {

@@ -269,7 +269,6 @@ static void test_mission_itself_is_played_as_certified(void) {
     mission_random(&mission, &random, (mission_size){5, 4, 4, 2});
     mission.rule = QTR_RULE_FREE;
     make_all(1, number % 2 == 0);
-    qtr_play_begin(&play);
     for (unsigned place = 0; place < mission.places; place++) play.visit[place] = QTR_NEVER;
     for (int seeker = 0; seeker < mission.seekers; seeker++) {
       unsigned node = (unsigned)mission.places + policy.board.start_of[seeker];
