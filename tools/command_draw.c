@@ -61,6 +61,8 @@ typedef struct {
   double likelihood[QTR_MAX_PLACES];
   drawing_seeker seeker[QTR_MAX_SEEKERS];
   table_route route[QTR_MAX_SEEKERS];
+  uint16_t number[QTR_MAX_PLACES]; /* of a table's places, in the input */
+  char name[128];                  /* of a table's mission */
   qtr_cell *trail[QTR_MAX_SEEKERS];
   char text[LINES_MOST][LINE_SIZE];
   const char *line[LINES_MOST];
@@ -190,6 +192,9 @@ static int from_table(sheet *s, const table *t, fault *why) {
     s->likelihood[place] = table_probability(t, place);
   }
   s->d.seekers = policy->board.seekers;
+  for (unsigned place = 0; place < policy->board.places; place++) s->number[place] = (uint16_t)table_number(t, place);
+  s->d.number = s->number;
+  snprintf(s->name, sizeof s->name, "%s", t->name);
   table_routes(t, s->route);
   add_certificate(s, t);
   for (int seeker = 0; seeker < s->d.seekers; seeker++)
@@ -280,11 +285,12 @@ static int write_picture(const sheet *s, const options *o, fault *why) {
   return outfile_commit(&out, why);
 }
 
-/* The mission's name, or the file's; a table holds no name, so its file's goes without the suffix. */
+/* The mission's name, or the file's, a table's without the suffix. */
 static const char *title_of(const options *o) {
   static char title[256];
   const char *slash = strrchr(o->input, '/');
   if (desk->drawn.in.name[0] != '\0') return desk->drawn.in.name;
+  if (picture.name[0] != '\0') return picture.name;
   snprintf(title, sizeof title, "%s", slash != NULL ? slash + 1 : o->input);
   char *suffix = strrchr(title, '.');
   if (suffix != NULL && suffix != title && strcmp(suffix, ".qtr") == 0) *suffix = '\0';

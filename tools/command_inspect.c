@@ -43,12 +43,12 @@ static double told_probability(const table *t, unsigned place) {
 }
 
 static void write_places(json *j, const table *t) {
-  const unsigned columns = t->policy.grid.columns;
   json_array(j, "place");
   for (unsigned place = 0; place < t->policy.board.places; place++) {
     json_flat_object(j, NULL);
-    json_integer(j, "column", qtr_policy_cell(&t->policy, place) % columns);
-    json_integer(j, "row", qtr_policy_cell(&t->policy, place) / columns);
+    if (t->claim.numbers != NULL) json_integer(j, "number", table_number(t, place));
+    json_integer(j, "column", table_column(t, qtr_policy_cell(&t->policy, place)));
+    json_integer(j, "row", table_row(t, qtr_policy_cell(&t->policy, place)));
     json_number(j, "probability", told_probability(t, place));
     json_end_object(j);
   }
@@ -57,20 +57,20 @@ static void write_places(json *j, const table *t) {
   for (unsigned seeker = 0; seeker < t->policy.board.seekers; seeker++) {
     const unsigned node = (unsigned)t->policy.board.places + t->policy.board.start_of[seeker];
     json_flat_object(j, NULL);
-    json_integer(j, "column", qtr_policy_cell(&t->policy, node) % columns);
-    json_integer(j, "row", qtr_policy_cell(&t->policy, node) / columns);
+    json_integer(j, "column", table_column(t, qtr_policy_cell(&t->policy, node)));
+    json_integer(j, "row", table_row(t, qtr_policy_cell(&t->policy, node)));
     json_end_object(j);
   }
   json_end_array(j);
 }
 
-/* The map, a text a row: '#' blocked, '.' free, 2 to 9 the steps that slow ground takes (9 or more). */
-static void write_map(json *j, const qtr_grid *grid) {
-  char *text = malloc(grid->columns + 1u);
+/* The map, a text a row: '#' blocked or out of reach, '.' free, 2 to 9 the steps that slow ground takes (9 or more). */
+static void write_map(json *j, const table *t) {
+  char *text = malloc(t->claim.map_columns + 1u);
   json_array(j, "map");
-  for (unsigned row = 0; text != NULL && row < grid->rows; row++) {
-    json_string(j, NULL, table_map_row(text, grid, row));
-  }
+  for (unsigned row = 0; text != NULL && row < t->claim.map_rows; row++)
+    json_string(j, NULL, table_map_row(text, t, row));
+
   json_end_array(j);
   free(text);
 }
@@ -100,22 +100,26 @@ static void write_json(FILE *out, const void *what) {
   const table *t = &i->t;
   const table_certificate c = table_certificate_of(&t->policy);
   char version[40];
+  double x, y;
   json j;
+  table_map_origin(t, &x, &y);
   snprintf(version, sizeof version, "%u.%u.%u", c.version[0], c.version[1], c.version[2]);
   json_begin(&j, out);
   json_object(&j, NULL);
   json_string(&j, "command", "inspect");
   json_string(&j, "input", i->o->input);
-  json_integer(&j, "format", QTR_POLICY_FORMAT);
+  json_integer(&j, "format", t->policy.format);
   json_string(&j, "version", version);
   json_natural(&j, "bytes", t->bytes.size);
   json_string(&j, "identity", identity_of(t).text);
-  json_integer(&j, "columns", t->policy.grid.columns);
-  json_integer(&j, "rows", t->policy.grid.rows);
+  json_integer(&j, "columns", t->claim.map_columns);
+  json_integer(&j, "rows", t->claim.map_rows);
   if (t->policy.frame.cell_size_um > 0) {
     json_number(&j, "cell_size", t->policy.frame.cell_size_um / 1e6);
-    json_number(&j, "origin_x", (double)t->policy.frame.origin_x_um / 1e6);
-    json_number(&j, "origin_y", (double)t->policy.frame.origin_y_um / 1e6);
+    json_number(&j, "origin_x", x);
+    json_number(&j, "origin_y", y);
+    if (t->policy.frame.sine != 0 || t->policy.frame.cosine < 0)
+      json_number(&j, "yaw", round(1e8 * atan2(t->policy.frame.sine, t->policy.frame.cosine)) / 1e8);
   }
   json_integer(&j, "places", t->policy.board.places);
   json_integer(&j, "robots", t->policy.board.seekers);
@@ -131,7 +135,7 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "seed", c.seed);
   json_natural(&j, "records", t->policy.records);
   json_integer(&j, "key_bytes", 4 * t->policy.board.keys.words);
-  write_map(&j, &t->policy.grid);
+  write_map(&j, t);
   write_places(&j, t);
   report_json_routes(&j, i->routes, t->policy.board.seekers);
   json_end_object(&j);
@@ -143,7 +147,7 @@ static void write_text(FILE *out, const void *what) {
   const table_certificate c = table_certificate_of(&t->policy);
   fprintf(out, "%s: a sound policy table, %s, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", i->o->input,
           counted(t->bytes.size, "byte").text, c.version[0], c.version[1], c.version[2], c.seed);
-  fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->policy.grid.columns, t->policy.grid.rows,
+  fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->claim.map_columns, t->claim.map_rows,
           counted(t->policy.board.places, "place").text, counted(t->policy.board.seekers, "robot").text,
           words_rule[t->policy.board.rule], qtr_objective_in_words(c.objective)->goal);
   fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %s; bound %.6g, gap %.3g%%\n",
@@ -154,6 +158,13 @@ static void write_text(FILE *out, const void *what) {
   report_routes(out, i->routes, t->policy.board.seekers);
 }
 
+/* As the input numbers its places. */
+static void number_routes(inspection *i) {
+  for (int seeker = 0; seeker < i->t.policy.board.seekers; seeker++)
+    for (int visit = 0; visit < i->routes[seeker].places; visit++)
+      i->routes[seeker].place[visit] = (uint16_t)table_number(&i->t, i->routes[seeker].place[visit]);
+}
+
 int command_inspect(int argc, char **argv) {
   static options o;
   static inspection i = {.o = &o};
@@ -162,6 +173,7 @@ int command_inspect(int argc, char **argv) {
   if (o.help) return option_help(stdout, &set);
   if (table_read(&i.t, o.input, &why) != 0 || products_check(&o, &why) != 0) return fault_exit(&why);
   table_routes(&i.t, i.routes);
+  number_routes(&i);
   const int status = print_report(&o, write_json, write_text, &i, &why);
   table_free(&i.t);
   return status == 0 ? EXIT_SUCCESS : fault_exit(&why);

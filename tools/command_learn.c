@@ -113,21 +113,37 @@ static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *
   return 0;
 }
 
+/* Behind what a robot reads. */
+static int add_names(file_bytes *bytes, const char *mission, fault *why) {
+  const uint32_t more = qtr_names_size(mission);
+  uint8_t *larger = realloc(bytes->data, bytes->size + more);
+  if (larger == NULL) return fault_set(why, "no memory for the table");
+  qtr_names_write(larger + bytes->size, mission);
+  bytes->data = larger;
+  bytes->size += more;
+  return 0;
+}
+
 /* The table, opened once as a robot will, gives the routes of the report: what is told is what was written. */
 static int write_table(report *r, const options *o, fault *why) {
   table t = {.bytes = {NULL, 0}};
   const uint32_t size = make_table(r, o, &t.bytes.data, why);
   if (size == 0) return -1;
   t.bytes.size = size;
-  int status = qtr_policy_open(&t.policy, t.bytes.data, size);
+  if (add_names(&t.bytes, learnt->p.in.name, why) != 0) {
+    table_free(&t);
+    return -1;
+  }
+  const uint32_t whole = (uint32_t)t.bytes.size;
+  int status = table_open_bytes(&t);
   if (status != QTR_OK) {
     status = fault_set(why, "the policy table does not open: %s; this is a fault of Quarter's", qtr_strerror(status));
   } else {
-    r->table_bytes = size;
+    r->table_bytes = whole;
     r->table_records = t.policy.records;
     table_routes(&t, r->route);
     report_number_routes(r);
-    if (o->output != NULL) status = write_bytes(o->output, t.bytes.data, size, false, why);
+    if (o->output != NULL) status = write_bytes(o->output, t.bytes.data, whole, false, why);
     if (status == 0 && o->c_output != NULL) status = write_bytes(o->c_output, t.bytes.data, size, true, why);
   }
   table_free(&t);
@@ -141,20 +157,6 @@ static void count(report *r, const options *o) {
       aggregate_by_spots(o->plan.aggregate.way) && learnt->aggregated ? qtr_environment_targets(learnt->aggregate) : 0;
   r->q_entries = qtr_learner_entries(learnt->learner);
   r->q_bytes = (uint64_t)r->q_entries * qtr_learner_entry_bytes(learnt->learner);
-}
-
-/* What the table cannot hold in its first format. */
-static void note_limits(const options *o) {
-  input *in = &learnt->p.in;
-  const int before = in->note.count;
-  if (o->output == NULL && o->c_output == NULL) return;
-  if (in->frame.yaw != 0.0)
-    notes_add(&in->note,
-              "%s: the map is turned by %.4g rad, which a table cannot hold yet: it has no frame (cell_size 0), and "
-              "robots must turn their poses into cells themselves",
-              o->input, in->frame.yaw);
-  input_note_numbers(in);
-  notes_print(&in->note, before);
 }
 
 static void note_cramped(void) {
@@ -172,7 +174,6 @@ static int learn(const options *o, report *r, fault *why) {
   stop_after(o->time_limit);
   learnt = study_take(why);
   if (learnt == NULL || prepare_problem(&learnt->p, o, why) != 0) return -1;
-  note_limits(o);
   stop_after(o->time_limit * (o->plan.any_starts || o->plan.any_cleared ? SEARCH_SHARE : 1.0));
   const double begin = stop_seconds();
   if (study_begin(learnt, &o->plan, why) != 0) return -1;

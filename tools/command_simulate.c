@@ -32,9 +32,7 @@ static const char outro[] =
     "In JSON: visits are each place's first one; duplicates counts the later ones; value and expected_time are what "
     "the\n"
     "first visits earn (expected_time null if a place was left).\n"
-    "Places have the table's numbers: the input's, but where --skip-unreachable left some out; then 'quarter learn' "
-    "prints which\n"
-    "is which.\n"
+    "Places have the numbers that the input gave them.\n"
     "\n"
     "Exit status: 0 found, or all places visited; 2 bad input; 4 places were left unvisited and no target was found.\n";
 
@@ -45,7 +43,7 @@ typedef struct {
   simulation s;
   table t;
   qtr_deployment deployment;
-  const options *o;
+  options *o;
 } account;
 
 static bool was_visited(const simulation *s, const options *o, int place) {
@@ -65,7 +63,7 @@ static void write_visits(json *j, const simulation *s, const table *t, const opt
   json_array(j, "visits");
   for (int i = 0; i < s->visits; i++) {
     json_flat_object(j, NULL);
-    json_integer(j, "place", s->visit[i].place);
+    json_integer(j, "place", table_number(t, s->visit[i].place));
     json_integer(j, "seeker", s->visit[i].seeker);
     json_integer(j, "step", s->visit[i].step);
     json_end_object(j);
@@ -73,7 +71,7 @@ static void write_visits(json *j, const simulation *s, const table *t, const opt
   json_end_array(j);
   json_flat_array(j, "unvisited");
   for (int place = 0; place < t->policy.board.places; place++)
-    if (!was_visited(s, o, place)) json_integer(j, NULL, place);
+    if (!was_visited(s, o, place)) json_integer(j, NULL, table_number(t, (unsigned)place));
   json_end_array(j);
 }
 
@@ -95,7 +93,7 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "off_table", s->off_table);
   json_natural(&j, "duplicates", (uint64_t)s->duplicates);
   if (o->game.target != SIMULATION_NO_TARGET) {
-    json_integer(&j, "target", o->game.target);
+    json_integer(&j, "target", table_number(t, (unsigned)o->game.target));
     if (s->found_step != QTR_NEVER)
       json_natural(&j, "found_step", s->found_step);
     else
@@ -115,11 +113,13 @@ static void write_text(FILE *out, const void *what) {
   fprintf(out, "%s: %d of %s visited by step %" PRIu32 ", %d visited again, %s off the table\n", o->input, s->visits,
           counted(t->policy.board.places, "place").text, s->end, s->duplicates, counted(s->off_table, "choice").text);
   for (int i = 0; i < s->visits; i++)
-    fprintf(out, "  step %4" PRIu32 "  seeker %d  place %d\n", s->visit[i].step, s->visit[i].seeker, s->visit[i].place);
+    fprintf(out, "  step %4" PRIu32 "  seeker %d  place %u\n", s->visit[i].step, s->visit[i].seeker,
+            table_number(t, s->visit[i].place));
   for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
-    if (!was_visited(s, o, place)) fprintf(out, "  place %d was not visited\n", place);
+    if (!was_visited(s, o, place)) fprintf(out, "  place %u was not visited\n", table_number(t, (unsigned)place));
   if (s->found_step != QTR_NEVER)
-    fprintf(out, "target found at place %d, step %" PRIu32 "\n", o->game.target, s->found_step);
+    fprintf(out, "target found at place %u, step %" PRIu32 "\n", table_number(t, (unsigned)o->game.target),
+            s->found_step);
   else if (isnan(s->expected_time))
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
@@ -128,15 +128,15 @@ static void write_text(FILE *out, const void *what) {
 
 /* The cells that the options put the seekers on. */
 static int find_starts(qtr_cell *starts, const table *t, const options *o, fault *why) {
-  const unsigned columns = t->policy.grid.columns;
+  const unsigned columns = t->claim.map_columns, rows = t->claim.map_rows;
   if (o->game.froms != t->policy.board.seekers)
     return fault_set(why, "--from: given %s, but the table has %s; give each its start",
                      counted((uint64_t)o->game.froms, "time").text, counted(t->policy.board.seekers, "seeker").text);
   for (int i = 0; i < o->game.froms; i++) {
-    if (o->game.from[i].column >= (int)columns || o->game.from[i].row >= (int)t->policy.grid.rows)
+    if (o->game.from[i].column >= (int)columns || o->game.from[i].row >= (int)rows)
       return fault_set(why, "--from %d,%d: off the map, which has %s and %s", o->game.from[i].column,
-                       o->game.from[i].row, counted(columns, "column").text, counted(t->policy.grid.rows, "row").text);
-    starts[i] = (qtr_cell)(o->game.from[i].row * (int)columns + o->game.from[i].column);
+                       o->game.from[i].row, counted(columns, "column").text, counted(rows, "row").text);
+    starts[i] = table_cell(t, o->game.from[i].column, o->game.from[i].row);
   }
   return 0;
 }
@@ -151,9 +151,35 @@ static int deploy(account *a, fault *why) {
                    o->input);
 }
 
+static int number_place(unsigned *place, const char *option, unsigned number, const table *t, fault *why) {
+  const int found = table_place(t, number);
+  const unsigned last = t->policy.board.places - 1u;
+  *place = (unsigned)found;
+  if (found >= 0) return 0;
+  return fault_set(why, "--%s: there is no place %u; the table has places %u to %u%s", option, number,
+                   table_number(t, 0), table_number(t, last),
+                   t->claim.numbers != NULL ? " but those that were left out" : "");
+}
+
+/* The options have the input's numbers, the simulation the table's. */
+static int number_places(options *o, const table *t, fault *why) {
+  const qtr_places asked = o->game.clear;
+  unsigned place;
+  qtr_places_clear(&o->game.clear);
+  for (unsigned number = 0; number < QTR_MAX_PLACES; number++) {
+    if (!qtr_places_has(&asked, number)) continue;
+    if (number_place(&place, "clear", number, t, why) != 0) return -1;
+    qtr_places_add(&o->game.clear, place);
+  }
+  if (o->game.target == SIMULATION_NO_TARGET) return 0;
+  if (number_place(&place, "target", (unsigned)o->game.target, t, why) != 0) return -1;
+  o->game.target = (int)place;
+  return 0;
+}
+
 /* The table is open. */
 static int simulate(account *a, fault *why) {
-  if (products_check(a->o, why) != 0 || deploy(a, why) != 0) return -1;
+  if (products_check(a->o, why) != 0 || number_places(a->o, &a->t, why) != 0 || deploy(a, why) != 0) return -1;
   if (simulation_run(&a->s, &a->t, &a->deployment, &a->o->game, why) != 0) return -1;
   return print_report(a->o, write_json, write_text, a, why);
 }

@@ -3,6 +3,8 @@
 #ifndef QUARTER_DEMO_GROUND_H
 #define QUARTER_DEMO_GROUND_H
 
+#include <math.h>
+
 #include "quarter/policy.h"
 
 typedef struct {
@@ -13,25 +15,35 @@ typedef struct {
   qtr_grid grid;
   double cell_size; /* metres; 1 where the map has none */
   double origin_x, origin_y;
+  double cosine, sine, turn; /* of the grid against the map frame, counter-clockwise; radians */
 } ground;
 
 static inline ground ground_of(const qtr_policy *policy) {
   const qtr_frame *frame = &policy->frame;
   const bool metric = frame->cell_size_um > 0;
-  return (ground){policy->grid, metric ? frame->cell_size_um / 1e6 : 1.0, (double)frame->origin_x_um / 1e6,
-                  (double)frame->origin_y_um / 1e6};
+  const bool turned = frame->cosine != 0 || frame->sine != 0;
+  const double turn = turned ? atan2(frame->sine, frame->cosine) : 0.0;
+  return (ground){policy->grid,
+                  metric ? frame->cell_size_um / 1e6 : 1.0,
+                  (double)frame->origin_x_um / 1e6,
+                  (double)frame->origin_y_um / 1e6,
+                  turned ? cos(turn) : 1.0,
+                  turned ? sin(turn) : 0.0,
+                  turn};
 }
 
 static inline point ground_point(const ground *g, double x_m, double y_m) {
-  return (point){(x_m - g->origin_x) / g->cell_size, (y_m - g->origin_y) / g->cell_size};
+  const double east = x_m - g->origin_x, north = y_m - g->origin_y;
+  return (point){(g->cosine * east + g->sine * north) / g->cell_size,
+                 (g->cosine * north - g->sine * east) / g->cell_size};
 }
 
 static inline double ground_x_m(const ground *g, point p) {
-  return g->origin_x + p.x * g->cell_size;
+  return g->origin_x + (g->cosine * p.x - g->sine * p.y) * g->cell_size;
 }
 
 static inline double ground_y_m(const ground *g, point p) {
-  return g->origin_y + p.y * g->cell_size;
+  return g->origin_y + (g->sine * p.x + g->cosine * p.y) * g->cell_size;
 }
 
 static inline point ground_centre(const ground *g, qtr_cell cell) {

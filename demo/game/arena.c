@@ -140,7 +140,8 @@ static bool sense_mine(arena *a, int robot, point at) {
 
 static void publish_robot(arena *a, int robot) {
   const world_pose pose = world_pose_of(a->w, robot);
-  const message_pose where = {utime_of(a), robot, ground_x_m(&a->g, pose.at), ground_y_m(&a->g, pose.at), pose.heading};
+  const message_pose where = {utime_of(a), robot, ground_x_m(&a->g, pose.at), ground_y_m(&a->g, pose.at),
+                              pose.heading + a->g.turn};
   message_scan scan = {.utime = where.utime, .robot = robot, .read = a->robot[robot].read};
   if (scan.read) scan.mine = sense_mine(a, robot, pose.at);
   world_look(a->w, robot, scan.range, DEMO_RAYS);

@@ -49,7 +49,7 @@ static int learn_table(table *t, double seconds, fault *why) {
   t->bytes.data = malloc(size);
   t->bytes.size = size;
   int32_t status = t->bytes.data != NULL ? qtr_export(learnt->learner, t->bytes.data, size) : QTR_ERR_SPACE;
-  if (status > 0) status = qtr_policy_open(&t->policy, t->bytes.data, size);
+  if (status > 0) status = table_open_bytes(t);
   if (status == QTR_OK) return 0;
   table_free(t);
   return not_learnt(status, why);
@@ -57,11 +57,16 @@ static int learn_table(table *t, double seconds, fault *why) {
 
 /* ---- a table from elsewhere ---- */
 
-static bool same_map(const qtr_grid *grid, const qtr_mission *mission) {
-  const uint32_t cells = qtr_mission_cells(mission);
-  if (grid->columns != mission->columns || grid->rows != mission->rows) return false;
-  for (uint32_t cell = 0; cell < cells; cell++)
-    if (qtr_grid_cost(grid, (qtr_cell)cell) != mission->cost[cell]) return false;
+/* Where the table's cell is on the mission's map. */
+static qtr_cell on_map(const table *t, const qtr_mission *mission, qtr_cell cell) {
+  return (qtr_cell)(table_row(t, cell) * mission->columns + table_column(t, cell));
+}
+
+static bool same_map(const table *t, const qtr_mission *mission) {
+  const qtr_grid *grid = &t->policy.grid;
+  if (t->claim.map_columns != mission->columns || t->claim.map_rows != mission->rows) return false;
+  for (uint32_t cell = 0; cell < qtr_grid_cells(grid); cell++)
+    if (qtr_grid_cost(grid, (qtr_cell)cell) != mission->cost[on_map(t, mission, (qtr_cell)cell)]) return false;
   return true;
 }
 
@@ -75,13 +80,14 @@ static bool same_likelihoods(const table *t, const qtr_mission *mission) {
 
 static const char *difference(const table *t, const qtr_mission *mission) {
   const qtr_policy *policy = &t->policy;
-  if (!same_map(&policy->grid, mission)) return "its map is another one";
+  if (!same_map(t, mission)) return "its map is another one";
   if (policy->board.places != mission->places) return "it has other places";
   for (unsigned place = 0; place < mission->places; place++)
-    if (qtr_policy_cell(policy, place) != mission->place[place]) return "its places lie elsewhere";
+    if (on_map(t, mission, qtr_policy_cell(policy, place)) != mission->place[place]) return "its places lie elsewhere";
   if (policy->board.seekers != mission->seekers) return "it is for another number of robots";
   for (unsigned i = 0; i < mission->seekers; i++)
-    if (qtr_policy_cell(policy, (unsigned)mission->places + policy->board.start_of[i]) != mission->start[i])
+    if (on_map(t, mission, qtr_policy_cell(policy, (unsigned)mission->places + policy->board.start_of[i])) !=
+        mission->start[i])
       return "its robots start elsewhere";
   return same_likelihoods(t, mission) ? NULL : "its likelihoods are others";
 }

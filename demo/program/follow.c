@@ -37,7 +37,7 @@ static void hear_pose(void *user, const message_pose *m) {
   follower *f = user;
   if (f->tick >= 0 && m->utime != f->tick) live_frame(f->view, seconds(f->tick), f->robots, f->g.grid.rows, f->pose);
   f->tick = m->utime;
-  f->pose[m->robot] = (world_pose){ground_point(&f->g, m->x, m->y), m->heading};
+  f->pose[m->robot] = (world_pose){ground_point(&f->g, m->x, m->y), m->heading - f->g.turn};
 }
 
 static void hear_terminate(void *user, const message_terminate *m) {

@@ -110,10 +110,15 @@ static point position(const robot *r) {
   return ground_point(&r->g, r->pose.x, r->pose.y);
 }
 
+/* Against the grid. */
+static double heading_of(const robot *r) {
+  return r->pose.heading - r->g.turn;
+}
+
 /* The nearest thing in the direction of a point, in cells. */
 static double nearest_towards(const robot *r, const message_scan *m, point goal) {
   const point at = position(r);
-  const double turn = remainder(atan2(goal.y - at.y, goal.x - at.x) - r->pose.heading, 2 * PI) / (2 * PI);
+  const double turn = remainder(atan2(goal.y - at.y, goal.x - at.x) - heading_of(r), 2 * PI) / (2 * PI);
   const int ray = (int)lround(turn * DEMO_RAYS);
   double nearest = DEMO_EYE_TRUST;
   for (int beside = -1; beside <= 1; beside++) {
@@ -180,7 +185,7 @@ static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
     r->way_known = true;
   }
   for (int ray = 0; ray < DEMO_RAYS; ray++) range[ray] = (float)((double)m->range[ray] / r->g.cell_size);
-  const driver_view view = {position(r), r->pose.heading, DEMO_RAYS, range, DEMO_EYE_TRUST};
+  const driver_view view = {position(r), heading_of(r), DEMO_RAYS, range, DEMO_EYE_TRUST};
   return driver_steer(&view, driver_aim(&r->g, &r->way, goal, view.at, choose_lane(r)));
 }
 

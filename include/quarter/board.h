@@ -27,8 +27,9 @@ typedef struct {
   uint8_t seekers;                    /* 1..QTR_MAX_SEEKERS */
   uint8_t rule;                       /* enum qtr_rule */
   uint16_t start_of[QTR_MAX_SEEKERS]; /* each seeker's start, 0..starts-1: its node is places + start_of[i] */
-  const uint8_t *steps;               /* travel times, 4 bytes little-endian each, a row of `places` for every node,
-                                        QTR_NEVER for no way; must outlive the board */
+  uint8_t step_bytes;                 /* 1, 2 or 4: of a travel time */
+  const uint8_t *steps;               /* travel times, little-endian, a row of `places` for every node, all ones for no
+                                        way; must outlive the board */
   qtr_key_shape keys;                 /* set by qtr_board_init(): `longest` is the greatest finite travel time */
 } qtr_board;
 

@@ -22,10 +22,19 @@ typedef struct {
   qtr_double_bits figure;        /* whichever of the two the objective asks for */
   qtr_double_bits bound;         /* of the figure: no policy does better */
   qtr_double_bits gap;           /* between the two, relative */
+  uint32_t step_time_us;         /* microseconds a step; 0: not said */
+  uint16_t map_columns;          /* of the map that it was learnt on */
+  uint16_t map_rows;
+  uint16_t left; /* column and row of that map at which the table's grid begins */
+  uint16_t top;
+  const uint8_t *numbers; /* of the places in the input, 2 bytes each (qtr_claim_number()); NULL: as in the table */
 } qtr_claim;
 
 /* Whether a table's objective is one that there is. */
 bool qtr_claim_knows(uint8_t objective);
+
+/* The number that the input gave a place; of one that is none, the number itself. */
+unsigned qtr_claim_number(const qtr_claim *claim, const qtr_policy *policy, unsigned place);
 
 /* The policy is open, or its words have been checked. */
 void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy);

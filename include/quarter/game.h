@@ -21,6 +21,7 @@ typedef struct {
   double probability[QTR_MAX_PLACES]; /* P, sum 1 */
   uint8_t steps[4 * QTR_MAX_NODES * QTR_MAX_PLACES];
   uint16_t first_at[QTR_MAX_SEEKERS]; /* of each distinct start, the first seeker there */
+  qtr_box used;                       /* part of the map where there is a way to a place, or a start */
   uint16_t measured;                  /* places to which the travel times are known: all, but after a stop */
 } qtr_game;
 

@@ -21,15 +21,31 @@ typedef struct {
   const uint8_t *cells; /* row by row from the top; must outlive the grid */
 } qtr_grid;
 
+/* Part of a grid: columns left..right-1, rows top..bottom-1. Empty where right is 0. */
+typedef struct {
+  uint16_t left, top, right, bottom;
+} qtr_box;
+
+/* Widen a box so that it holds the cell. */
+void qtr_box_add(qtr_box *box, const qtr_grid *grid, qtr_cell cell);
+
 #define QTR_FRAME_LIMIT_UM ((int64_t)1000000000000000) /* coordinates lie between this and its negative */
 
 /* Where a grid lies in the world: in the map frame, y up, of the ROS map or whatever the robots localise in. In
  * micrometres, so that a robot needs no floating point. */
 typedef struct {
   uint32_t cell_size_um; /* side of a cell; 0: the map has no metres, and the rest is 0 */
-  int64_t origin_x_um;   /* lower-left corner of the bottom-left cell */
+  int64_t origin_x_um;   /* the bottom-left cell's outer corner */
   int64_t origin_y_um;
+  int32_t cosine; /* of the angle by which the grid is turned, counter-clockwise, in units of 1 / QTR_FRAME_ONE */
+  int32_t sine;   /* both 0: it is not turned */
 } qtr_frame;
+
+#define QTR_FRAME_ONE ((int32_t)1 << 30)
+
+/* Whether a frame is one: no metres and all 0, or its origin within QTR_FRAME_LIMIT_UM and its turn the cosine and sine of
+ * some angle. */
+bool qtr_frame_is_one(const qtr_frame *frame);
 
 /* In the order in which ties are broken. */
 enum qtr_direction { QTR_NORTH = 0, QTR_EAST = 1, QTR_SOUTH = 2, QTR_WEST = 3 };
@@ -50,11 +66,11 @@ static inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
 qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direction direction);
 
 /* The middle of a cell in the map frame. False, with nothing written, for a cell outside the grid, a frame without metres,
- * or one whose origin is not within QTR_FRAME_LIMIT_UM. */
+ * or one that is none. */
 bool qtr_frame_centre(const qtr_frame *frame, const qtr_grid *grid, qtr_cell cell, int64_t *x_um, int64_t *y_um);
 
 /* The cell at a point of the map frame, free or blocked. QTR_NO_CELL off the grid, however far off a localisation that has
- * gone astray puts it; in a frame without metres, or one whose origin is not within QTR_FRAME_LIMIT_UM. */
+ * gone astray puts it; in a frame without metres, or one that is none. */
 qtr_cell qtr_frame_cell(const qtr_frame *frame, const qtr_grid *grid, int64_t x_um, int64_t y_um);
 
 /* Bytes that a grid of this many cells takes in an encoding. */

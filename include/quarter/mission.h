@@ -10,13 +10,15 @@
 #include "quarter/watch.h"
 
 typedef struct {
-  uint32_t made;                   /* by qtr_mission_default() */
-  uint16_t columns, rows;          /* columns * rows <= QTR_MAX_CELLS */
-  uint16_t places;                 /* 1..QTR_MAX_PLACES */
-  uint8_t seekers;                 /* 1..QTR_MAX_SEEKERS */
-  uint8_t rule;                    /* enum qtr_rule */
-  qtr_frame frame;                 /* where the map lies in the world; goes into the table, the learner ignores it */
-  qtr_aim aim;                     /* what it is played for */
+  uint32_t made;          /* by qtr_mission_default() */
+  uint16_t columns, rows; /* columns * rows <= QTR_MAX_CELLS */
+  uint16_t places;        /* 1..QTR_MAX_PLACES */
+  uint8_t seekers;        /* 1..QTR_MAX_SEEKERS */
+  uint8_t rule;           /* enum qtr_rule */
+  qtr_frame frame;        /* where the map lies in the world; goes into the table, the learner ignores it */
+  const uint16_t *number; /* of each place in the input, where some were left out; NULL: as here. As the frame */
+  uint32_t step_time_us;  /* microseconds a step; 0: not said. As the frame */
+  qtr_aim aim;            /* what it is played for */
   qtr_cell start[QTR_MAX_SEEKERS]; /* free cells, may coincide */
   qtr_cell place[QTR_MAX_PLACES];  /* free cells, all different */
   double weight[QTR_MAX_PLACES];   /* likelihood of each place, above 0, in any unit: normalised to sum 1 */

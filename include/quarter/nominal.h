@@ -22,9 +22,4 @@ uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int
  * the choices made off the table. */
 uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table);
 
-/* A digest of the nominal game from the mission's own starts: who chooses what, when. It is stored in the table and
- * compared on opening, so that a robot whose build plays otherwise than the learner's fails loudly instead of searching
- * wrongly. */
-uint32_t qtr_policy_digest(const qtr_policy *policy);
-
 #endif

@@ -13,24 +13,45 @@
 #include "quarter/config.h"
 #include "quarter/grid.h"
 
-#define QTR_POLICY_FORMAT 1 /* raised when the bytes change their meaning; apart from the library's version */
+#define QTR_POLICY_FORMAT 2 /* raised when the bytes change their meaning; apart from the library's version */
 #define QTR_POLICY_NO_REGION 0xFFFFu
 #define QTR_RECORD_BYTES (4 * QTR_KEY_WORDS + 4) /* of the largest record of a table */
+
+/* Whether tables of format 1, which Quarter 0.1 wrote, are opened too. A host does; a robot's table is learnt anew. */
+#ifndef QTR_READ_FORMAT_1
+#ifdef QTR_PROFILE_MCU
+#define QTR_READ_FORMAT_1 0
+#else
+#define QTR_READ_FORMAT_1 1
+#endif
+#endif
+
+/* How a record is laid out: a key, the least significant byte first, then a choice; what is left over is 0. */
+typedef struct {
+  uint8_t key_bytes;
+  uint8_t choice_bytes; /* 1 or 2; all ones: stand down */
+  uint8_t bytes;        /* of the whole record */
+} qtr_record_shape;
 
 /* An open table: views into its bytes, which must stay where they are and unchanged as long as it is used. */
 typedef struct {
   const uint8_t *bytes;
-  qtr_grid grid;
+  uint32_t size; /* of the part that a robot reads; a host may keep names behind it */
+  qtr_grid grid; /* what of the map can be reached */
   qtr_frame frame;
   qtr_board board;        /* its starts are the mission's own */
   uint32_t records;       /* state/choice records */
-  const uint8_t *cells;   /* of the nodes, 4 bytes each */
+  const uint8_t *cells;   /* of the nodes, cell_bytes each */
   const uint8_t *weights; /* of the places, 4 bytes each */
   const uint8_t *record;  /* the first record */
   const uint8_t *regions; /* of the cells, 2 bytes each; NULL: only the starts themselves are known */
+  const uint8_t *cleared; /* places that the mission itself has cleared beforehand, a bit each; NULL: none */
+  uint8_t format;
+  uint8_t cell_bytes;
+  qtr_record_shape records_shape;
 } qtr_policy;
 
-/* Open the table of `size` bytes at `bytes` (no alignment needed). QTR_OK; QTR_ERR_TRUNCATED, _MAGIC, _FORMAT, _CHECKSUM,
+/* Open the table of `size` bytes at `bytes` (no alignment needed); bytes behind the robot's part are not looked at. QTR_OK; QTR_ERR_TRUNCATED, _MAGIC, _FORMAT, _CHECKSUM,
  * _CORRUPT, _TRAVEL, _CERTIFICATE or _SELFTEST if it is not whole and sound; QTR_ERR_LIMIT if this build's arrays are too
  * small for it; QTR_ERR_CONFIG if the caller was built under other sizes. What docs/policy-format.md says of each number is
  * checked, and what the numbers say of one another; not the travel times against the grid, which takes a search a place. */

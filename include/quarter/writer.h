@@ -17,6 +17,8 @@ typedef struct {
   uint32_t record_count;
   const qtr_certificate *certificate; /* of the mission's own starts */
   uint64_t seed;
+  const qtr_box *used;       /* part of the map that robots get about in; NULL: all of it */
+  const qtr_places *cleared; /* before the start, known to all; NULL: none */
 } qtr_table_content;
 
 /* Bytes that a table takes. */

@@ -43,6 +43,7 @@ static int make_board(qtr_environment *e, uint8_t rule) {
   e->board = e->game->board;
   e->board.places = e->targets.count;
   e->board.rule = rule;
+  e->board.step_bytes = 4;
   e->board.steps = e->reach;
   for (unsigned to = 0; to < targets; to++) {
     for (unsigned from = 0; from < targets; from++)

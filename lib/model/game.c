@@ -27,7 +27,8 @@ static void find_starts(qtr_game *game) {
 static bool measure_travel(qtr_game *game, qtr_field *field) {
   qtr_cell start[QTR_MAX_SEEKERS];
   for (unsigned i = 0; i < game->board.starts; i++) start[i] = qtr_game_start_cell(game, i);
-  game->measured = qtr_matrix_fill(game->steps, game->mission, start, game->board.starts, field);
+  game->used = (qtr_box){0, 0, 0, 0};
+  game->measured = qtr_matrix_fill(game->steps, game->mission, start, game->board.starts, field, &game->used);
   return game->measured == game->mission->places;
 }
 
@@ -89,6 +90,7 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *f
   game->board.places = mission->places;
   game->board.seekers = mission->seekers;
   game->board.rule = mission->rule;
+  game->board.step_bytes = 4;
   game->board.steps = game->steps;
   find_starts(game);
   if (!measure_travel(game, field)) return QTR_ERR_STOPPED;

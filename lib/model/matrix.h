@@ -7,8 +7,8 @@
 
 /* Fill `steps`, a row of 4-byte times for every place and then for every one of the `starts` cells. One field a place gives
  * the times to it from everywhere; the mission's watch is asked between two. Returns the places done: all, but after a
- * stop. */
+ * stop. `used` (may be NULL) is widened by all cells that a place can be reached from, and by the starts. */
 uint16_t qtr_matrix_fill(uint8_t *steps, const qtr_mission *mission, const qtr_cell *start, unsigned starts,
-                         qtr_field *field);
+                         qtr_field *field, qtr_box *used);
 
 #endif

@@ -21,10 +21,18 @@ void qtr_board_store_seats(const qtr_board *board, uint8_t *bytes) {
   for (unsigned i = 0; i < board->seekers; i++) store16_le(bytes + 2 * i, board->start_of[i]);
 }
 
+static bool is_width(unsigned bytes) {
+  return bytes == 1 || bytes == 2 || bytes == 4;
+}
+
 static int check_numbers(const qtr_board *board) {
   if (board->places > QTR_MAX_PLACES || board->seekers > QTR_MAX_SEEKERS) return QTR_ERR_LIMIT;
   if (board->places == 0 || board->seekers == 0 || board->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
-  if (board->starts == 0 || board->starts > QTR_MAX_STARTS) return QTR_ERR_ARGUMENT;
+  if (board->starts == 0 || board->starts > QTR_MAX_STARTS || !is_width(board->step_bytes)) return QTR_ERR_ARGUMENT;
+  return QTR_OK;
+}
+
+static int check_seats(const qtr_board *board) {
   for (unsigned i = 0; i < board->seekers; i++)
     if (board->start_of[i] >= board->starts) return QTR_ERR_ARGUMENT;
   return QTR_OK;
@@ -44,7 +52,8 @@ static qtr_steps find_longest(const qtr_board *board) {
 
 int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  const int status = check_numbers(board);
+  int status = check_numbers(board);
+  if (status == QTR_OK) status = check_seats(board);
   if (status != QTR_OK) return status;
   board->keys.places = board->places;
   board->keys.nodes = (uint16_t)qtr_board_nodes(board);

@@ -4,20 +4,26 @@
 #include "robot/checks.h"
 #include "robot/layout.h"
 
-/* A map without metres lies nowhere; one with metres has a middle of its first cell. */
+/* The grid lies somewhere, and on its map. */
 static int check_place_in_world(const qtr_policy *policy) {
-  const qtr_frame *frame = &policy->frame;
-  int64_t x_um;
-  int64_t y_um;
-  const bool is_known = frame->cell_size_um > 0 ? qtr_frame_centre(frame, &policy->grid, 0, &x_um, &y_um)
-                                                : frame->origin_x_um == 0 && frame->origin_y_um == 0;
-  return is_known ? QTR_OK : QTR_ERR_CORRUPT;
+  const uint8_t *bytes = policy->bytes;
+  if (!qtr_frame_is_one(&policy->frame)) return QTR_ERR_CORRUPT;
+  if (policy->format == 1) return QTR_OK;
+  const uint32_t right = load16_le(bytes + QTR_POLICY_LEFT) + policy->grid.columns;
+  const uint32_t bottom = load16_le(bytes + QTR_POLICY_TOP) + policy->grid.rows;
+  const bool is_on_map =
+      right <= load16_le(bytes + QTR_POLICY_MAP_COLUMNS) && bottom <= load16_le(bytes + QTR_POLICY_MAP_ROWS);
+  return is_on_map ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
-/* Bytes that mean nothing are 0: what fills up the seats before the cells, and the bits behind the last cell. */
+/* Bytes that mean nothing are 0: what fills up the seats before the cells (format 1), and the bits behind the last cell. */
 static int check_padding(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
-  if (policy->board.seekers % 2 == 1 && load16_le(policy->cells - 2) != 0) return QTR_ERR_CORRUPT;
+  if (policy->format == 1 && policy->board.seekers % 2 == 1 && load16_le(policy->cells - 2) != 0)
+    return QTR_ERR_CORRUPT;
+  const unsigned places = policy->board.places;
+  if (policy->cleared != NULL && places % 8 != 0 && policy->cleared[places / 8] >> (places % 8) != 0)
+    return QTR_ERR_CORRUPT;
   if (policy->grid.encoding != QTR_GRID_BITS || cells % 8 == 0) return QTR_OK;
   return policy->grid.cells[cells / 8] >> (cells % 8) == 0 ? QTR_OK : QTR_ERR_CORRUPT;
 }
@@ -25,7 +31,8 @@ static int check_padding(const qtr_policy *policy) {
 static int check_nodes(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
   for (uint32_t node = 0; node < qtr_board_nodes(&policy->board); node++) {
-    const uint32_t cell = load32_le(policy->cells + 4 * node);
+    const uint8_t *at = policy->cells + policy->cell_bytes * node;
+    const uint32_t cell = policy->cell_bytes == 2 ? load16_le(at) : load32_le(at);
     if (cell >= cells || qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) return QTR_ERR_CORRUPT;
   }
   return QTR_OK;
@@ -58,12 +65,13 @@ static int check_regions(const qtr_policy *policy) {
 
 /* Sorted by key, each key once. */
 static int check_records(const qtr_policy *policy) {
-  const unsigned words = policy->board.keys.words;
+  const qtr_record_shape *shape = &policy->records_shape;
   const uint8_t *record = policy->record;
-  for (uint32_t r = 0; r < policy->records; r++, record += record_size(words)) {
-    if (r > 0 && record_compare(record, record - record_size(words), words) <= 0) return QTR_ERR_CORRUPT;
-    const uint32_t choice = load16_le(record + record_choice_at(words));
-    if (load16_le(record + record_spare_at(words)) != 0) return QTR_ERR_CORRUPT;
+  for (uint32_t r = 0; r < policy->records; r++, record += shape->bytes) {
+    if (r > 0 && record_compare(record, record - shape->bytes, shape) <= 0) return QTR_ERR_CORRUPT;
+    const uint16_t choice = record_choice(record, shape);
+    for (unsigned spare = shape->key_bytes + shape->choice_bytes; spare < shape->bytes; spare++)
+      if (record[spare] != 0) return QTR_ERR_CORRUPT;
     if (choice >= policy->board.places && choice != QTR_STAND_DOWN) return QTR_ERR_CORRUPT;
   }
   return QTR_OK;

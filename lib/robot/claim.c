@@ -1,5 +1,7 @@
 #include "quarter/claim.h"
 
+#include <stddef.h>
+
 #include "quarter/status.h"
 #include "robot/layout.h"
 
@@ -28,4 +30,18 @@ void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy) {
   claim->figure = load64_le(bytes + objectives[claim->objective].figure_at);
   claim->bound = load64_le(bytes + QTR_POLICY_BOUND);
   claim->gap = load64_le(bytes + QTR_POLICY_GAP);
+  const bool is_whole = policy->format == 1;
+  claim->step_time_us = load32_le(bytes + QTR_POLICY_STEP_TIME);
+  claim->map_columns = is_whole ? policy->grid.columns : (uint16_t)load16_le(bytes + QTR_POLICY_MAP_COLUMNS);
+  claim->map_rows = is_whole ? policy->grid.rows : (uint16_t)load16_le(bytes + QTR_POLICY_MAP_ROWS);
+  claim->left = is_whole ? 0 : (uint16_t)load16_le(bytes + QTR_POLICY_LEFT);
+  claim->top = is_whole ? 0 : (uint16_t)load16_le(bytes + QTR_POLICY_TOP);
+  const bool has_numbers = (load32_le(bytes + QTR_POLICY_FEATURES) & QTR_FEATURE_NUMBERS) != 0;
+  /* The last section. */
+  claim->numbers = has_numbers ? bytes + policy->size - 2u * policy->board.places : NULL;
+}
+
+unsigned qtr_claim_number(const qtr_claim *claim, const qtr_policy *policy, unsigned place) {
+  if (claim->numbers == NULL || place >= policy->board.places) return place;
+  return load16_le(claim->numbers + 2 * place);
 }

@@ -2,6 +2,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "core/bytes.h"
 #include "core/crc.h"
@@ -31,17 +32,30 @@ static bool are_home(const qtr_policy *policy, const qtr_cell *starts) {
   return true;
 }
 
+void qtr_deployment_home(qtr_deployment *deployment, const qtr_policy *policy) {
+  memcpy(deployment->start_of, policy->board.start_of, sizeof deployment->start_of);
+  qtr_places_clear(&deployment->cleared);
+  for (uint32_t i = 0; policy->cleared != NULL && i < bits_size(policy->board.places); i++)
+    bits_add(deployment->cleared.word, i, policy->cleared[i]);
+}
+
+/* Of the places that there are. */
+static void clear(qtr_deployment *deployment, const qtr_policy *policy, const qtr_places *cleared) {
+  qtr_places_clear(&deployment->cleared);
+  for (unsigned place = 0; place < policy->board.places; place++)
+    if (qtr_places_has(cleared, place)) qtr_places_add(&deployment->cleared, place);
+}
+
 int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *policy, const qtr_cell *starts,
                               const qtr_places *cleared, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   const bool home = are_home(policy, starts);
   for (unsigned i = 0; !home && i < policy->board.seekers; i++)
     if (start_at(policy, starts[i]) >= policy->board.starts) return QTR_ERR_START;
-  for (unsigned i = 0; i < policy->board.seekers; i++)
-    deployment->start_of[i] = home ? policy->board.start_of[i] : (uint16_t)start_at(policy, starts[i]);
-  qtr_places_clear(&deployment->cleared);
-  for (unsigned place = 0; cleared != NULL && place < policy->board.places; place++)
-    if (qtr_places_has(cleared, place)) qtr_places_add(&deployment->cleared, place);
+  qtr_deployment_home(deployment, policy);
+  for (unsigned i = 0; !home && i < policy->board.seekers; i++)
+    deployment->start_of[i] = (uint16_t)start_at(policy, starts[i]);
+  if (cleared != NULL) clear(deployment, policy, cleared);
   return QTR_OK;
 }
 

@@ -7,53 +7,73 @@
 #include <stdint.h>
 
 #include "core/bytes.h"
+#include "quarter/policy.h"
 
 /* ---- the header, by byte offsets ---- */
 
 #define QTR_POLICY_MAGIC_BYTES "QTRP"
 
 enum {
-  QTR_POLICY_MAGIC = 0,      /* QTR_POLICY_MAGIC_BYTES */
-  QTR_POLICY_VERSION = 4,    /* u16, QTR_POLICY_FORMAT */
-  QTR_POLICY_HEADER = 6,     /* u16, bytes of the header */
-  QTR_POLICY_SIZE = 8,       /* u32, bytes of the whole table */
-  QTR_POLICY_CRC = 12,       /* u32, CRC-32 of all that follows */
-  QTR_POLICY_COLUMNS = 16,   /* u16 */
-  QTR_POLICY_ROWS = 18,      /* u16 */
-  QTR_POLICY_PLACES = 20,    /* u16 */
-  QTR_POLICY_SEEKERS = 22,   /* u8 */
-  QTR_POLICY_ANY_START = 23, /* u8, 1: each region is a start, and a section tells the cells' regions */
-  QTR_POLICY_RULE = 24,      /* u8, enum qtr_rule */
-  QTR_POLICY_OBJECTIVE = 25, /* u8, enum qtr_objective_kind */
-  QTR_POLICY_GRID = 26,      /* u8, enum qtr_grid_encoding */
-  QTR_POLICY_CERTIFIED = 27, /* u8, 1: the gap is within what was asked for */
-  QTR_POLICY_KEY_WORDS = 28, /* u8, then a byte of 0 */
-  QTR_POLICY_STARTS = 30,    /* u16, start cells */
-  QTR_POLICY_RECORDS = 32,   /* u32 */
-  QTR_POLICY_DIGEST = 36,    /* u32, of the nominal game: qtr_policy_digest() */
-  QTR_POLICY_PRODUCER = 40,  /* u32, library version that wrote it: major << 16 | minor << 8 | patch; then 4 of 0 */
-  QTR_POLICY_SEED = 48,      /* u64 */
-  QTR_POLICY_GAMMA = 56,     /* IEEE 754 double, as the four below */
-  QTR_POLICY_VALUE = 64,     /* discounted value */
-  QTR_POLICY_TIME = 72,      /* expected step of the find */
-  QTR_POLICY_BOUND = 80,     /* of the objective: no policy does better */
-  QTR_POLICY_GAP = 88,       /* relative */
-  QTR_POLICY_CELL_SIZE = 96, /* u32, micrometres a cell; 0: no metres; then 4 of 0 */
-  QTR_POLICY_ORIGIN_X = 104, /* i64, micrometres: lower-left corner of the grid in the map frame */
-  QTR_POLICY_ORIGIN_Y = 112, /* i64 */
-  QTR_POLICY_HEADER_BYTES = 120
+  QTR_POLICY_MAGIC = 0,         /* QTR_POLICY_MAGIC_BYTES */
+  QTR_POLICY_VERSION = 4,       /* u16, QTR_POLICY_FORMAT */
+  QTR_POLICY_HEADER = 6,        /* u16, bytes of the header */
+  QTR_POLICY_SIZE = 8,          /* u32, bytes of the whole table */
+  QTR_POLICY_CRC = 12,          /* u32, CRC-32 of all that follows */
+  QTR_POLICY_COLUMNS = 16,      /* u16 */
+  QTR_POLICY_ROWS = 18,         /* u16 */
+  QTR_POLICY_PLACES = 20,       /* u16 */
+  QTR_POLICY_SEEKERS = 22,      /* u8 */
+  QTR_POLICY_ANY_START = 23,    /* u8, 1: each region is a start, and a section tells the cells' regions */
+  QTR_POLICY_RULE = 24,         /* u8, enum qtr_rule */
+  QTR_POLICY_OBJECTIVE = 25,    /* u8, enum qtr_objective_kind */
+  QTR_POLICY_GRID = 26,         /* u8, enum qtr_grid_encoding */
+  QTR_POLICY_CERTIFIED = 27,    /* u8, 1: the gap is within what was asked for */
+  QTR_POLICY_KEY_WORDS = 28,    /* u8, 32-bit words of a key */
+  QTR_POLICY_STEP_BYTES = 29,   /* u8, 1, 2 or 4: of a travel time. Format 1: 0, and they are of 4 */
+  QTR_POLICY_STARTS = 30,       /* u16, start cells */
+  QTR_POLICY_RECORDS = 32,      /* u32 */
+  QTR_POLICY_DIGEST = 36,       /* u32, of the nominal game: qtr_policy_digest() */
+  QTR_POLICY_PRODUCER = 40,     /* u32, library version that wrote it: major << 16 | minor << 8 | patch */
+  QTR_POLICY_FEATURES = 44,     /* u32, a bit for each that the table makes use of: enum qtr_table_feature */
+  QTR_POLICY_SEED = 48,         /* u64 */
+  QTR_POLICY_GAMMA = 56,        /* IEEE 754 double, as the four below */
+  QTR_POLICY_VALUE = 64,        /* discounted value */
+  QTR_POLICY_TIME = 72,         /* expected step of the find */
+  QTR_POLICY_BOUND = 80,        /* of the objective: no policy does better */
+  QTR_POLICY_GAP = 88,          /* relative */
+  QTR_POLICY_CELL_SIZE = 96,    /* u32, micrometres a cell; 0: no metres */
+  QTR_POLICY_STEP_TIME = 100,   /* u32, microseconds a step; 0: not said */
+  QTR_POLICY_ORIGIN_X = 104,    /* i64, micrometres: lower-left corner of the grid in the map frame */
+  QTR_POLICY_ORIGIN_Y = 112,    /* i64 */
+  QTR_POLICY_HEADER_1 = 120,    /* bytes of format 1's header: what follows is as in a table that makes no use of it */
+  QTR_POLICY_COSINE = 120,      /* i32, of the grid's turn against the map frame, in units of 2^-30 */
+  QTR_POLICY_SINE = 124,        /* i32 */
+  QTR_POLICY_LEFT = 128,        /* u16, columns of the map to the left of the table's grid */
+  QTR_POLICY_TOP = 130,         /* u16, rows above it */
+  QTR_POLICY_MAP_COLUMNS = 132, /* u16, of the whole map */
+  QTR_POLICY_MAP_ROWS = 134,    /* u16 */
+  QTR_POLICY_SPARE = 136, /* 24 of 0, for what later features need: deadline, end of the search, clock, looks, kinds */
+  QTR_POLICY_HEADER_BYTES = 160
+};
+
+enum qtr_table_feature {
+  QTR_FEATURE_CLEARED = 1, /* the mission itself has places cleared beforehand */
+  QTR_FEATURE_NUMBERS = 2, /* the input numbers its places otherwise, for some were left out */
+  QTR_FEATURES = 3         /* all that this version knows */
 };
 
 /* ---- the sections, in their order after the header ---- */
 
 enum section {
-  SECTION_SEATS,   /* u16 start of each seeker, then 0 up to a multiple of 4 */
-  SECTION_CELLS,   /* u32 cell of each node */
+  SECTION_SEATS,   /* u16 start of each seeker; in format 1 then 0 up to a multiple of 4 */
+  SECTION_CELLS,   /* cell of each node: u16 where the grid has no more than 65,536, else u32; in format 1 u32 */
   SECTION_WEIGHTS, /* u32 likelihood of each place */
-  SECTION_TRAVEL,  /* u32 steps from each node (row) to each place (column) */
+  SECTION_TRAVEL,  /* steps from each node (row) to each place (column), in QTR_POLICY_STEP_BYTES; all ones: no way */
   SECTION_RECORDS,
   SECTION_GRID,
   SECTION_REGIONS, /* u16 start that stands for each cell; none unless the table is for any start */
+  SECTION_CLEARED, /* a bit a place; QTR_FEATURE_CLEARED */
+  SECTION_NUMBERS, /* u16 number in the input of each place; QTR_FEATURE_NUMBERS */
   SECTIONS
 };
 
@@ -61,13 +81,21 @@ enum section {
 typedef struct {
   uint32_t cells; /* of the grid */
   uint32_t records;
+  uint32_t features; /* enum qtr_table_feature */
   uint16_t places;
   uint16_t starts;
+  uint8_t format;
   uint8_t seekers;
-  uint8_t key_words;
+  uint8_t step_bytes;
+  uint8_t record_bytes;
   uint8_t grid_encoding;
   bool any_start;
 } table_dimensions;
+
+/* Bytes that a cell's index takes. */
+static inline uint8_t cell_bytes_of(unsigned format, uint32_t cells) {
+  return format == 1 || cells > 65536u ? 4 : 2;
+}
 
 typedef struct {
   uint32_t at[SECTIONS]; /* where each begins, if the end is one of 32 bits */
@@ -77,31 +105,24 @@ typedef struct {
 /* The dimensions must lie in their ranges; records may be any number. */
 void qtr_layout_find(table_layout *layout, const table_dimensions *dimensions);
 
-/* ---- a record: the key's words, the least significant first; u16 choice; u16 0 ---- */
+/* ---- a record: the key, the least significant byte first; then the choice ---- */
 
-static inline uint32_t record_size(unsigned key_words) {
-  return 4u * key_words + 4u;
+/* Format 1 has whole words, and 2 bytes of 0 at the end; since then a key and a choice take the bytes that they need. */
+static inline qtr_record_shape record_shape_of(unsigned format, const qtr_board *board) {
+  const uint8_t key_bytes = format == 1 ? (uint8_t)(4u * board->keys.words) : (uint8_t)((board->keys.bits + 7u) / 8u);
+  const uint8_t choice_bytes = format != 1 && board->places < 255 ? 1 : 2;
+  return (qtr_record_shape){key_bytes, choice_bytes, (uint8_t)(key_bytes + (format == 1 ? 4u : choice_bytes))};
 }
 
-static inline uint32_t record_choice_at(unsigned key_words) {
-  return 4u * key_words;
-}
-
-static inline uint32_t record_spare_at(unsigned key_words) {
-  return 4u * key_words + 2u;
-}
-
-static inline uint32_t record_word(const uint8_t *record, unsigned w) {
-  return load32_le(record + 4u * w);
+static inline uint16_t record_choice(const uint8_t *record, const qtr_record_shape *shape) {
+  if (shape->choice_bytes == 2) return (uint16_t)load16_le(record + shape->key_bytes);
+  return record[shape->key_bytes] == 0xFFu ? QTR_STAND_DOWN : record[shape->key_bytes];
 }
 
 /* Below 0, 0 or above 0, as record `a`'s key is less than, equal to or greater than `b`'s. */
-static inline int record_compare(const uint8_t *a, const uint8_t *b, unsigned key_words) {
-  for (unsigned w = key_words; w-- > 0;) {
-    const uint32_t x = record_word(a, w);
-    const uint32_t y = record_word(b, w);
-    if (x != y) return x < y ? -1 : 1;
-  }
+static inline int record_compare(const uint8_t *a, const uint8_t *b, const qtr_record_shape *shape) {
+  for (unsigned i = shape->key_bytes; i-- > 0;)
+    if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
   return 0;
 }
 

@@ -5,33 +5,34 @@
 #include "core/bytes.h"
 #include "core/crc.h"
 #include "quarter/status.h"
+#include "robot/bits.h"
 #include "robot/layout.h"
 
 /* ---- by the table ---- */
 
 /* Below 0, 0 or above 0, as the record's key is less than, equal to or greater than `key`. */
-static int compare_key(const uint8_t *record, const qtr_key *key, unsigned words) {
-  for (unsigned w = words; w-- > 0;) {
-    const uint32_t stored = record_word(record, w);
-    if (stored != key->word[w]) return stored < key->word[w] ? -1 : 1;
+static int compare_key(const uint8_t *record, const qtr_key *key, unsigned bytes) {
+  for (unsigned i = bytes; i-- > 0;) {
+    const uint8_t digit = bits_byte(key->word, i);
+    if (record[i] != digit) return record[i] < digit ? -1 : 1;
   }
   return 0;
 }
 
 bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice) {
-  const unsigned words = policy->board.keys.words;
+  const qtr_record_shape *shape = &policy->records_shape;
   qtr_key key;
   qtr_joint_key(&key, joint, &policy->board);
   uint32_t low = 0;
   uint32_t high = policy->records;
   while (low < high) {
     const uint32_t middle = low + (high - low) / 2;
-    const uint8_t *record = policy->record + middle * record_size(words);
+    const uint8_t *record = policy->record + middle * shape->bytes;
     /* Records are in order, as they were when the table was opened. */
-    QTR_ASSERT(middle == 0 || record_compare(record - record_size(words), record, words) < 0);
-    const int order = compare_key(record, &key, words);
+    QTR_ASSERT(middle == 0 || record_compare(record - shape->bytes, record, shape) < 0);
+    const int order = compare_key(record, &key, shape->key_bytes);
     if (order == 0) {
-      *choice = (uint16_t)load16_le(record + record_choice_at(words));
+      *choice = record_choice(record, shape);
       return true;
     }
     if (order < 0)
@@ -98,22 +99,4 @@ uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker,
     if (chooser == seeker) return choice;
   }
   return QTR_STAND_DOWN;
-}
-
-uint32_t qtr_policy_digest(const qtr_policy *policy) {
-  uint32_t digest = 0;
-  for (uint8_t seeker = 0; seeker < policy->board.seekers; seeker++) {
-    qtr_joint joint;
-    qtr_steps now = 0;
-    uint16_t choice = 0;
-    qtr_joint_start(&joint, &policy->board, NULL, NULL);
-    while (choice != QTR_STAND_DOWN) {
-      uint8_t line[8] = {seeker, 0, 0, 0, 0, 0, 0, 0};
-      choice = qtr_policy_play(policy, &joint, seeker, &now, NULL);
-      store16_le(line + 2, choice);
-      store32_le(line + 4, now);
-      digest = qtr_crc32_add(digest, line, sizeof line);
-    }
-  }
-  return digest;
 }

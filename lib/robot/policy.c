@@ -7,7 +7,8 @@
 
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
   if (node >= qtr_board_nodes(&policy->board)) return QTR_NO_CELL;
-  const uint32_t cell = load32_le(policy->cells + 4 * node);
+  const uint8_t *at = policy->cells + policy->cell_bytes * (uint32_t)node;
+  const uint32_t cell = policy->cell_bytes == 2 ? load16_le(at) : load32_le(at);
   QTR_ASSERT(cell < qtr_grid_cells(&policy->grid)); /* as it was when the table was opened */
   return (qtr_cell)cell;
 }

@@ -29,10 +29,10 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
   seeker->policy = policy;
   seeker->self = (uint8_t)self;
   seeker->run = run;
-  /* At home by hand: qtr_deployment_init() would bring its search for starts into the flash of robots that have no use for
-   * it. */
-  memcpy(seeker->deployment.start_of, policy->board.start_of, sizeof seeker->deployment.start_of);
-  if (deployment != NULL) seeker->deployment = *deployment;
+  if (deployment == NULL)
+    qtr_deployment_home(&seeker->deployment, policy);
+  else
+    seeker->deployment = *deployment;
   seeker->identity = qtr_deployment_identity(&seeker->deployment, policy);
   qtr_division_begin(&seeker->division, policy, &seeker->deployment);
   return QTR_OK;

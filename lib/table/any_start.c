@@ -58,7 +58,7 @@ int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *aske
   any->board.steps = blocks->steps;
   set_starts(any);
   set_regions(any);
-  const uint16_t done = qtr_matrix_fill(blocks->steps, mission, blocks->start, sizes.starts, field);
+  const uint16_t done = qtr_matrix_fill(blocks->steps, mission, blocks->start, sizes.starts, field, NULL);
   return done < mission->places ? QTR_ERR_STOPPED : qtr_board_init(&any->board);
 }
 
@@ -87,7 +87,7 @@ double qtr_any_start_count_games(const qtr_any_start *any) {
  * down. */
 double qtr_any_start_estimate(const qtr_any_start *any) {
   const double places = any->board.places * (any->asked.any_cleared ? 0.5 : 1.0);
-  return qtr_any_start_count_games(any) * (places + any->board.seekers - 1) * record_size(any->board.keys.words);
+  return qtr_any_start_count_games(any) * (places + any->board.seekers - 1) * record_shape_written(&any->board).bytes;
 }
 
 /* ---- one game after another ---- */
@@ -143,7 +143,7 @@ void qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *n
 /* ---- entries: a record, and behind it its rank; among entries of one state the lowest rank stays ---- */
 
 static uint32_t entry_size(const qtr_any_start *any) {
-  return record_size(any->board.keys.words) + 1u;
+  return record_shape_written(&any->board).bytes + 1u;
 }
 
 static uint8_t *entry_at(const qtr_any_start *any, uint32_t i) {
@@ -199,7 +199,8 @@ static int compare(const qtr_any_start *any, uint32_t i, uint32_t j) {
   const uint32_t size = entry_size(any);
   const uint8_t *a = entry_at(any, i);
   const uint8_t *b = entry_at(any, j);
-  const int order = record_compare(a, b, any->board.keys.words);
+  const qtr_record_shape shape = record_shape_written(&any->board);
+  const int order = record_compare(a, b, &shape);
   if (order != 0) return order;
   if (a[size - 1] != b[size - 1]) return a[size - 1] < b[size - 1] ? -1 : 1;
   return memcmp(a, b, size);
@@ -233,14 +234,14 @@ static void sort(const qtr_any_start *any) {
 }
 
 void qtr_any_start_finish(qtr_any_start *any) {
-  const unsigned words = any->board.keys.words;
-  const uint32_t size = record_size(words);
+  const qtr_record_shape shape = record_shape_written(&any->board);
+  const uint32_t size = shape.bytes;
   uint8_t *end = any->blocks.entries; /* of the records that are kept */
   uint32_t kept = 0;
   sort(any);
   for (uint32_t i = 0; i < any->count; i++) {
     const uint8_t *entry = entry_at(any, i);
-    if (kept > 0 && record_compare(entry, end - size, words) == 0) continue;
+    if (kept > 0 && record_compare(entry, end - size, &shape) == 0) continue;
     memmove(end, entry, size);
     end += size;
     kept++;

@@ -9,10 +9,10 @@
 
 /* Sorted by insertion: a game has few choices. */
 static void insert_record(uint8_t *records, unsigned count, const uint8_t *record, const qtr_board *board) {
-  const unsigned words = board->keys.words;
-  const uint32_t bytes = record_size(words);
+  const qtr_record_shape shape = record_shape_written(board);
+  const uint32_t bytes = shape.bytes;
   uint8_t *at = records + count * bytes;
-  while (at > records && record_compare(record, at - bytes, words) < 0) {
+  while (at > records && record_compare(record, at - bytes, &shape) < 0) {
     memcpy(at, at - bytes, bytes);
     at -= bytes;
   }
@@ -40,8 +40,8 @@ static qtr_table_content content_of(const qtr_learner *learner, qtr_cell *start,
   for (unsigned i = 0; i < game->board.starts; i++) start[i] = qtr_game_start_cell(game, i);
   qtr_learner_certificate(learner, certificate);
   const qtr_table_content content = {
-      game->mission,         &game->board, game->probability,   start, NULL, learner->records,
-      learner->best.choices, certificate,  learner->config.seed};
+      game->mission,         &game->board, game->probability,    start,       NULL, learner->records,
+      learner->best.choices, certificate,  learner->config.seed, &game->used, NULL};
   return content;
 }
 

@@ -6,28 +6,91 @@
 #include "core/bytes.h"
 #include "core/crc.h"
 #include "model/doubles.h"
-#include "quarter/nominal.h"
+#include "quarter/digest.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"
 #include "robot/board.h"
 #include "robot/layout.h"
+#include "table/record.h"
 
-static uint8_t encoding_of(const qtr_mission *mission) {
-  const uint32_t cells = qtr_mission_cells(mission);
-  for (uint32_t cell = 0; cell < cells; cell++)
-    if (mission->cost[cell] > 1) return QTR_GRID_BYTES;
+/* ---- what of the map is held ---- */
+
+static qtr_box box_of(const qtr_table_content *content) {
+  const qtr_mission *mission = content->mission;
+  return content->used != NULL ? *content->used : (qtr_box){0, 0, mission->columns, mission->rows};
+}
+
+static uint16_t columns_of(const qtr_box *box) {
+  return (uint16_t)(box->right - box->left);
+}
+
+static uint16_t rows_of(const qtr_box *box) {
+  return (uint16_t)(box->bottom - box->top);
+}
+
+static uint32_t cells_of(const qtr_box *box) {
+  return (uint32_t)columns_of(box) * rows_of(box);
+}
+
+/* A cell of the table's grid, as one of the map. */
+static uint32_t on_map(const qtr_mission *mission, const qtr_box *box, uint32_t cell) {
+  return (box->top + cell / columns_of(box)) * mission->columns + box->left + cell % columns_of(box);
+}
+
+/* And the other way. */
+static uint32_t in_table(const qtr_mission *mission, const qtr_box *box, uint32_t cell) {
+  QTR_ASSERT(cell % mission->columns >= box->left && cell / mission->columns >= box->top); /* nodes lie in the box */
+  return (cell / mission->columns - box->top) * columns_of(box) + cell % mission->columns - box->left;
+}
+
+/* Where the table's grid lies: its cells have the same middles in both frames. */
+static qtr_frame frame_of(const qtr_table_content *content) {
+  const qtr_box box = box_of(content);
+  const qtr_grid whole = qtr_mission_grid(content->mission);
+  const qtr_grid part = {columns_of(&box), rows_of(&box), QTR_GRID_BYTES, whole.cells};
+  qtr_frame frame = content->mission->frame;
+  int64_t x = 0, y = 0, x_here = 0, y_here = 0;
+  if (!qtr_frame_centre(&frame, &whole, (qtr_cell)on_map(content->mission, &box, 0), &x, &y)) return frame;
+  frame.origin_x_um = frame.origin_y_um = 0;
+  qtr_frame_centre(&frame, &part, 0, &x_here, &y_here);
+  frame.origin_x_um = x - x_here;
+  frame.origin_y_um = y - y_here;
+  return frame;
+}
+
+static uint8_t encoding_of(const qtr_table_content *content) {
+  const qtr_box box = box_of(content);
+  for (uint32_t cell = 0; cell < cells_of(&box); cell++)
+    if (content->mission->cost[on_map(content->mission, &box, cell)] > 1) return QTR_GRID_BYTES;
   return QTR_GRID_BITS;
+}
+
+/* ---- sizes ---- */
+
+/* The longest way in the fewest bytes, all ones being none. */
+static uint8_t step_bytes_of(const qtr_board *board) {
+  if (board->keys.longest < 0xFFu) return 1;
+  return board->keys.longest < 0xFFFFu ? 2 : 4;
+}
+
+static uint32_t features_of(const qtr_table_content *content) {
+  return (content->cleared != NULL ? (uint32_t)QTR_FEATURE_CLEARED : 0u) |
+         (content->mission->number != NULL ? (uint32_t)QTR_FEATURE_NUMBERS : 0u);
 }
 
 static table_layout layout_of(const qtr_table_content *content) {
   const qtr_board *board = content->board;
-  const table_dimensions dimensions = {.cells = qtr_mission_cells(content->mission),
+  const qtr_box box = box_of(content);
+  const table_dimensions dimensions = {.cells = cells_of(&box),
                                        .records = content->record_count,
+                                       .features = features_of(content),
                                        .places = board->places,
                                        .starts = board->starts,
+                                       .format = QTR_POLICY_FORMAT,
                                        .seekers = board->seekers,
-                                       .key_words = board->keys.words,
-                                       .grid_encoding = encoding_of(content->mission),
+                                       .step_bytes = step_bytes_of(board),
+                                       .record_bytes = record_shape_written(board).bytes,
+                                       .grid_encoding = encoding_of(content),
                                        .any_start = content->region != NULL};
   table_layout layout;
   qtr_layout_find(&layout, &dimensions);
@@ -41,27 +104,40 @@ uint32_t qtr_table_size(const qtr_table_content *content) {
 
 /* ---- header ---- */
 
+static void write_map(uint8_t *bytes, const qtr_table_content *content) {
+  const qtr_box box = box_of(content);
+  const qtr_frame frame = frame_of(content);
+  store16_le(bytes + QTR_POLICY_COLUMNS, columns_of(&box));
+  store16_le(bytes + QTR_POLICY_ROWS, rows_of(&box));
+  bytes[QTR_POLICY_GRID] = encoding_of(content);
+  store32_le(bytes + QTR_POLICY_CELL_SIZE, frame.cell_size_um);
+  store64_le(bytes + QTR_POLICY_ORIGIN_X, (uint64_t)frame.origin_x_um);
+  store64_le(bytes + QTR_POLICY_ORIGIN_Y, (uint64_t)frame.origin_y_um);
+  store32_le(bytes + QTR_POLICY_COSINE, (uint32_t)frame.cosine);
+  store32_le(bytes + QTR_POLICY_SINE, (uint32_t)frame.sine);
+  store16_le(bytes + QTR_POLICY_LEFT, box.left);
+  store16_le(bytes + QTR_POLICY_TOP, box.top);
+  store16_le(bytes + QTR_POLICY_MAP_COLUMNS, content->mission->columns);
+  store16_le(bytes + QTR_POLICY_MAP_ROWS, content->mission->rows);
+}
+
 static void write_dimensions(uint8_t *bytes, const qtr_table_content *content, uint32_t size) {
   const qtr_board *board = content->board;
-  const qtr_mission *mission = content->mission;
   memcpy(bytes + QTR_POLICY_MAGIC, QTR_POLICY_MAGIC_BYTES, QTR_POLICY_VERSION);
   store16_le(bytes + QTR_POLICY_VERSION, QTR_POLICY_FORMAT);
   store16_le(bytes + QTR_POLICY_HEADER, QTR_POLICY_HEADER_BYTES);
   store32_le(bytes + QTR_POLICY_SIZE, size);
-  store16_le(bytes + QTR_POLICY_COLUMNS, mission->columns);
-  store16_le(bytes + QTR_POLICY_ROWS, mission->rows);
   store16_le(bytes + QTR_POLICY_PLACES, board->places);
   bytes[QTR_POLICY_SEEKERS] = board->seekers;
   bytes[QTR_POLICY_ANY_START] = content->region != NULL;
   bytes[QTR_POLICY_RULE] = board->rule;
-  bytes[QTR_POLICY_OBJECTIVE] = mission->aim.kind;
-  bytes[QTR_POLICY_GRID] = encoding_of(mission);
+  bytes[QTR_POLICY_OBJECTIVE] = content->mission->aim.kind;
   bytes[QTR_POLICY_KEY_WORDS] = board->keys.words;
+  bytes[QTR_POLICY_STEP_BYTES] = step_bytes_of(board);
   store16_le(bytes + QTR_POLICY_STARTS, board->starts);
   store32_le(bytes + QTR_POLICY_RECORDS, content->record_count);
-  store32_le(bytes + QTR_POLICY_CELL_SIZE, mission->frame.cell_size_um);
-  store64_le(bytes + QTR_POLICY_ORIGIN_X, (uint64_t)mission->frame.origin_x_um);
-  store64_le(bytes + QTR_POLICY_ORIGIN_Y, (uint64_t)mission->frame.origin_y_um);
+  store32_le(bytes + QTR_POLICY_FEATURES, features_of(content));
+  store32_le(bytes + QTR_POLICY_STEP_TIME, content->mission->step_time_us);
 }
 
 static void write_certificate(uint8_t *bytes, const qtr_table_content *content) {
@@ -81,8 +157,26 @@ static void write_certificate(uint8_t *bytes, const qtr_table_content *content) 
 
 static void write_cells(uint8_t *at, const qtr_table_content *content) {
   const qtr_board *board = content->board;
-  for (unsigned place = 0; place < board->places; place++, at += 4) store32_le(at, content->mission->place[place]);
-  for (unsigned start = 0; start < board->starts; start++, at += 4) store32_le(at, content->start[start]);
+  const qtr_box box = box_of(content);
+  const uint8_t bytes = cell_bytes_of(QTR_POLICY_FORMAT, cells_of(&box));
+  for (unsigned node = 0; node < qtr_board_nodes(board); node++, at += bytes) {
+    const qtr_cell on = node < board->places ? content->mission->place[node] : content->start[node - board->places];
+    const uint32_t cell = in_table(content->mission, &box, on);
+    if (bytes == 2)
+      store16_le(at, cell);
+    else
+      store32_le(at, cell);
+  }
+}
+
+static void write_travel(uint8_t *at, const qtr_board *board) {
+  const uint8_t bytes = step_bytes_of(board);
+  for (unsigned node = 0; node < qtr_board_nodes(board); node++) {
+    for (unsigned place = 0; place < board->places; place++, at += bytes) {
+      const qtr_steps steps = qtr_board_steps(board, QTR_ANY_SEEKER, node, place);
+      for (unsigned i = 0; i < bytes; i++) at[i] = (uint8_t)(steps >> (8 * i) & 0xFFu);
+    }
+  }
 }
 
 static uint32_t fixed_point(double probability) {
@@ -96,32 +190,43 @@ static void write_weights(uint8_t *at, const qtr_table_content *content) {
     store32_le(at + 4 * place, fixed_point(content->probability[place]));
 }
 
-static void write_grid(uint8_t *at, const qtr_mission *mission) {
-  const uint32_t cells = qtr_mission_cells(mission);
-  const uint8_t encoding = encoding_of(mission);
-  for (uint32_t cell = 0; cell < cells; cell++) {
+static void write_grid(uint8_t *at, const qtr_table_content *content) {
+  const qtr_box box = box_of(content);
+  const uint8_t encoding = encoding_of(content);
+  for (uint32_t cell = 0; cell < cells_of(&box); cell++) {
+    const uint8_t cost = content->mission->cost[on_map(content->mission, &box, cell)];
     if (encoding == QTR_GRID_BYTES)
-      at[cell] = mission->cost[cell];
-    else if (mission->cost[cell] > 0)
+      at[cell] = cost;
+    else if (cost > 0)
       at[cell / 8] = (uint8_t)(at[cell / 8] | 1u << cell % 8);
   }
 }
 
 static void write_regions(uint8_t *at, const qtr_table_content *content) {
-  for (uint32_t cell = 0; content->region != NULL && cell < qtr_mission_cells(content->mission); cell++)
-    store16_le(at + 2 * cell, content->region[cell]);
+  const qtr_box box = box_of(content);
+  for (uint32_t cell = 0; content->region != NULL && cell < cells_of(&box); cell++)
+    store16_le(at + 2 * cell, content->region[on_map(content->mission, &box, cell)]);
+}
+
+static void write_places(uint8_t *cleared, uint8_t *numbers, const qtr_table_content *content) {
+  for (unsigned place = 0; place < content->board->places; place++) {
+    if (content->cleared != NULL && qtr_places_has(content->cleared, place))
+      cleared[place / 8] = (uint8_t)(cleared[place / 8] | 1u << place % 8);
+    if (content->mission->number != NULL) store16_le(numbers + 2 * place, content->mission->number[place]);
+  }
 }
 
 static void write_sections(uint8_t *bytes, const table_layout *layout, const qtr_table_content *content) {
   const qtr_board *board = content->board;
-  const uint32_t records = content->record_count * record_size(board->keys.words);
+  const uint32_t records = content->record_count * record_shape_written(board).bytes;
   qtr_board_store_seats(board, bytes + layout->at[SECTION_SEATS]);
   write_cells(bytes + layout->at[SECTION_CELLS], content);
   write_weights(bytes + layout->at[SECTION_WEIGHTS], content);
-  memcpy(bytes + layout->at[SECTION_TRAVEL], board->steps, 4u * qtr_board_nodes(board) * board->places);
+  write_travel(bytes + layout->at[SECTION_TRAVEL], board);
   if (records > 0) memcpy(bytes + layout->at[SECTION_RECORDS], content->records, records);
-  write_grid(bytes + layout->at[SECTION_GRID], content->mission);
+  write_grid(bytes + layout->at[SECTION_GRID], content);
   write_regions(bytes + layout->at[SECTION_REGIONS], content);
+  write_places(bytes + layout->at[SECTION_CLEARED], bytes + layout->at[SECTION_NUMBERS], content);
 }
 
 /* ---- the whole ---- */
@@ -137,6 +242,7 @@ int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32
   const uint32_t needed = (uint32_t)layout.end;
   memset(bytes, 0, needed);
   write_dimensions(bytes, content, needed);
+  write_map(bytes, content);
   write_certificate(bytes, content);
   write_sections(bytes, &layout, content);
   seal(bytes, needed);

@@ -3,6 +3,7 @@
 #include "quarter/grid.h"
 #include "support/random.h"
 #include "unity.h"
+#include <math.h>
 
 void setUp(void) {
 }
@@ -90,7 +91,7 @@ static void test_size_of_a_grid_in_bytes(void) {
 }
 
 /* Half-metre cells, the lower-left corner of the map at (-1, 2) m. */
-static const qtr_frame frame = {500000, -1000000, 2000000};
+static const qtr_frame frame = {500000, -1000000, 2000000, 0, 0};
 
 static void test_row_0_is_the_top_of_the_world(void) {
   const qtr_grid grid = grid_of(4, 3);
@@ -124,12 +125,54 @@ static void test_points_off_the_map_are_in_no_cell(void) {
   TEST_ASSERT_EQUAL_UINT32(QTR_NO_CELL, qtr_frame_cell(&frame, &grid, -far, -far));
 }
 
+/* A quarter turn to the left: the map's right is the world's up. Its origin stays where it is. */
+static void test_a_turned_map_lies_where_its_angle_says(void) {
+  const qtr_grid grid = grid_of(4, 3);
+  const qtr_frame turned = {500000, -1000000, 2000000, 0, QTR_FRAME_ONE};
+  int64_t x;
+  int64_t y;
+  TEST_ASSERT_TRUE(qtr_frame_centre(&turned, &grid, 8, &x, &y)); /* bottom left of the map */
+  TEST_ASSERT_EQUAL_INT64(-1250000, x);
+  TEST_ASSERT_EQUAL_INT64(2250000, y);
+  TEST_ASSERT_TRUE(qtr_frame_centre(&turned, &grid, 3, &x, &y)); /* top right */
+  TEST_ASSERT_EQUAL_INT64(-2250000, x);
+  TEST_ASSERT_EQUAL_INT64(3750000, y);
+  TEST_ASSERT_EQUAL_UINT32(3, qtr_frame_cell(&turned, &grid, -2000001, 3999999));
+  TEST_ASSERT_EQUAL_UINT32(QTR_NO_CELL, qtr_frame_cell(&turned, &grid, -999999, 2250000));
+}
+
+static void test_a_turn_that_is_none_is_no_frame(void) {
+  const qtr_frame frames[] = {{500000, 0, 0, QTR_FRAME_ONE / 2, 0},
+                              {500000, 0, 0, 1, 0},
+                              {0, 0, 0, QTR_FRAME_ONE, 0},
+                              {500000, QTR_FRAME_LIMIT_UM, 0, 0, 0},
+                              {500000, 0, 0, INT32_MIN, INT32_MIN}};
+  for (unsigned i = 0; i < sizeof frames / sizeof frames[0]; i++) TEST_ASSERT_FALSE(qtr_frame_is_one(&frames[i]));
+  TEST_ASSERT_TRUE(qtr_frame_is_one(&(qtr_frame){500000, 0, 0, -QTR_FRAME_ONE, 0}));
+  TEST_ASSERT_TRUE(qtr_frame_is_one(&(qtr_frame){0, 0, 0, 0, 0}));
+}
+
+static void test_a_box_is_as_wide_as_what_it_holds(void) {
+  const qtr_grid grid = grid_of(5, 4);
+  qtr_box box = {0, 0, 0, 0};
+  qtr_box_add(&box, &grid, 7);
+  TEST_ASSERT_TRUE(box.left == 2 && box.right == 3 && box.top == 1 && box.bottom == 2);
+  qtr_box_add(&box, &grid, 15);
+  TEST_ASSERT_TRUE(box.left == 0 && box.right == 3 && box.top == 1 && box.bottom == 4);
+}
+
 static void test_every_cell_is_found_again_from_its_middle(void) {
   for (unsigned number = 0; number < 200; number++) {
     test_random random = random_case("frames", number);
     const qtr_grid grid = grid_of(random_in(&random, 1, 32), random_in(&random, 1, 32));
-    const qtr_frame placed = {random_in(&random, 1, 5000000), (int64_t)random_below(&random, 2000000000) - 1000000000,
-                              (int64_t)random_below(&random, 2000000000) - 1000000000};
+    qtr_frame placed = {random_in(&random, 3, 5000000), (int64_t)random_below(&random, 2000000000) - 1000000000,
+                        (int64_t)random_below(&random, 2000000000) - 1000000000, 0, 0};
+    if (random_chance(&random, 70)) {
+      const double angle = random_below(&random, 6284) / 1000.0;
+      placed.cosine = (int32_t)lround(cos(angle) * QTR_FRAME_ONE);
+      placed.sine = (int32_t)lround(sin(angle) * QTR_FRAME_ONE);
+      placed.cell_size_um += 10;
+    }
     for (unsigned cell = 0; cell < (unsigned)grid.columns * grid.rows; cell++) {
       int64_t x;
       int64_t y;
@@ -151,6 +194,9 @@ int main(void) {
   RUN_TEST(test_row_0_is_the_top_of_the_world);
   RUN_TEST(test_points_belong_to_the_cell_above_and_right_of_an_edge);
   RUN_TEST(test_points_off_the_map_are_in_no_cell);
+  RUN_TEST(test_a_turned_map_lies_where_its_angle_says);
+  RUN_TEST(test_a_turn_that_is_none_is_no_frame);
+  RUN_TEST(test_a_box_is_as_wide_as_what_it_holds);
   RUN_TEST(test_every_cell_is_found_again_from_its_middle);
   return UNITY_END();
 }

@@ -40,6 +40,7 @@ static void corridor(uint8_t rule, unsigned places, const unsigned *at, unsigned
   board.places = (uint16_t)places;
   board.seekers = (uint8_t)seekers;
   board.rule = rule;
+  board.step_bytes = 4;
   board.steps = steps;
   for (unsigned i = 0; i < seekers; i++) {
     if (i == 0 || from[i] != from[i - 1]) board.starts++;
@@ -264,6 +265,7 @@ static void test_largest_board_has_keys_within_the_array(void) {
   board.places = QTR_MAX_PLACES;
   board.seekers = QTR_MAX_SEEKERS;
   board.starts = QTR_MAX_SEEKERS;
+  board.step_bytes = 4;
   board.steps = steps;
   for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++) board.start_of[i] = (uint8_t)i;
   for (unsigned node = 0; node < MOST_NODES; node++)
@@ -284,6 +286,7 @@ static void board_of_brute(void) {
   board.places = (uint16_t)brute.places;
   board.seekers = (uint8_t)brute.seekers;
   board.rule = brute.paper ? QTR_RULE_PAPER : QTR_RULE_FREE;
+  board.step_bytes = 4;
   board.steps = steps;
   for (int i = 0; i < brute.seekers; i++) {
     const int start = brute.start[i] - brute.places;
@@ -438,6 +441,7 @@ static void test_long_keys_tell_states_apart(void) {
     board.places = (uint16_t)random_in(&random, QTR_MAX_PLACES / 2, QTR_MAX_PLACES);
     board.seekers = (uint8_t)random_in(&random, 1, QTR_MAX_SEEKERS);
     board.starts = 1;
+    board.step_bytes = 4;
     board.steps = steps;
     for (unsigned node = 0; node <= board.places; node++)
       for (unsigned place = 0; place < board.places; place++) set_steps(node, place, random_in(&random, 1, longest));

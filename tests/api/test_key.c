@@ -52,7 +52,7 @@ static void test_seekers_of_one_kind_are_interchangeable_and_no_others(void) {
 /* Who is who is not in the key, so neither may it say who chooses first. */
 static void test_at_one_node_the_lower_kind_chooses_first(void) {
   static const uint8_t steps[4 * 3] = {0, 0, 0, 0, 3, 0, 0, 0, 3, 0, 0, 0};
-  qtr_board board = {.places = 1, .starts = 1, .seekers = 2, .rule = QTR_RULE_FREE, .steps = steps};
+  qtr_board board = {.places = 1, .starts = 1, .seekers = 2, .rule = QTR_RULE_FREE, .step_bytes = 4, .steps = steps};
   qtr_joint joint;
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
   qtr_joint_start(&joint, &board, NULL, NULL);

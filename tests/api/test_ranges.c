@@ -82,7 +82,7 @@ static void test_grid_larger_than_the_build_is_not_searched(void) {
 
 static void test_grid_of_no_cells_has_none(void) {
   const qtr_grid grid = {0, 0, QTR_GRID_BITS, NULL};
-  const qtr_frame frame = {1, 0, 0};
+  const qtr_frame frame = {1, 0, 0, 0, 0};
   TEST_ASSERT_EQUAL(0, qtr_grid_cost(&grid, 0));
   TEST_ASSERT_EQUAL_UINT32(QTR_NO_CELL, qtr_grid_neighbour(&grid, 0, QTR_EAST));
   TEST_ASSERT_EQUAL_UINT32(QTR_NO_CELL, qtr_frame_cell(&frame, &grid, 0, 0));
@@ -120,7 +120,7 @@ static int64_t any_coordinate(test_random *random, int64_t origin, uint32_t side
 
 static qtr_frame any_frame(test_random *random) {
   const uint32_t sides[] = {0, 1, 50000, 1000000, UINT32_MAX, (uint32_t)random_bits(random)};
-  qtr_frame frame = {sides[random_below(random, 6)], 0, 0};
+  qtr_frame frame = {sides[random_below(random, 6)], 0, 0, 0, 0};
   frame.origin_x_um = any_coordinate(random, 0, 50000);
   frame.origin_y_um = any_coordinate(random, 0, 50000);
   return frame;
@@ -291,6 +291,7 @@ static void test_board_of_any_numbers_is_refused_or_playable(void) {
                        (uint8_t)any_number(&random, QTR_MAX_SEEKERS),
                        (uint8_t)any_number(&random, 2),
                        {0},
+                       4,
                        steps,
                        {0}};
     qtr_joint joint;
@@ -360,9 +361,9 @@ static void expect_all_called(const char *header, const char *calls) {
 }
 
 static void test_every_public_function_of_the_robot_side_is_called_here(void) {
-  static const char *const headers[] = {"places.h",   "grid.h",   "travel.h", "key.h",        "board.h",
-                                        "joint.h",    "policy.h", "claim.h",  "deployment.h", "nominal.h",
-                                        "division.h", "signal.h", "seeker.h", "status.h"};
+  static const char *const headers[] = {"places.h", "grid.h",   "travel.h",     "key.h",     "board.h",  "joint.h",
+                                        "policy.h", "claim.h",  "deployment.h", "nominal.h", "digest.h", "division.h",
+                                        "names.h",  "signal.h", "seeker.h",     "status.h"};
   static const char *const files[] = {"api/test_ranges.c", "inside/test_ranges_executor.c", "support/ranges.h"};
   static char calls[200000];
   for (unsigned i = 0; i < sizeof files / sizeof files[0]; i++) {

@@ -161,7 +161,7 @@ static void test_walk_on_the_grid_takes_the_nominal_time(void) {
         TEST_ASSERT_TRUE_MESSAGE(qtr_seeker_field(&seeker[self], &table_field, cell), case_note);
         while (cell != qtr_policy_cell(&policy[self], target)) {
           cell = qtr_field_next(&table_field, &policy[self].grid, cell);
-          taken += table_mission.cost[cell];
+          taken += qtr_grid_cost(&policy[self].grid, cell);
         }
         TEST_ASSERT_EQUAL_UINT32_MESSAGE(qtr_board_steps(&policy[self].board, self, node, target), taken, case_note);
         node = target;

@@ -71,7 +71,8 @@ class BrokenOff(Case):
         """The same division by the same plan, in a table of another seed."""
         table = bytearray(asked.table.read_bytes())
         table[48] ^= 1
-        table[12:16] = zlib.crc32(table[16:]).to_bytes(4, "little")
+        size = int.from_bytes(table[8:12], "little")  # of the part that robots read
+        table[12:16] = zlib.crc32(table[16:size]).to_bytes(4, "little")
         path = self.folder / "other.qtr"
         path.write_bytes(table)
         self.assertNotEqual(identity_of(bytes(table)), asked.identity)

@@ -46,7 +46,7 @@ def identity_of(table):
     """Of the division that a table makes from the mission's own starts, nothing cleared, worked out apart from the core: as the
     32-bit number of a message."""
     places, seekers = struct.unpack_from("<HB", table, 20)
-    starts = struct.unpack_from(f"<{seekers}H", table, 120)
+    starts = struct.unpack_from(f"<{seekers}H", table, *struct.unpack_from("<H", table, 6))
     nodes = struct.pack(f"<{seekers}H", *(places + start for start in starts))
     identity = zlib.crc32(nodes + bytes((places + 7) // 8), struct.unpack_from("<I", table, 12)[0])
     return identity - 2**32 if identity >= 2**31 else identity

@@ -25,7 +25,7 @@ void tearDown(void) {
 }
 
 static void use_ground(void) {
-  g = (ground){{mission.columns, mission.rows, QTR_GRID_BYTES, mission.cost}, 1.0, 0.0, 0.0};
+  g = (ground){{mission.columns, mission.rows, QTR_GRID_BYTES, mission.cost}, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0};
 }
 
 /* ---- where to ---- */

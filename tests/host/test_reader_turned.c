@@ -39,8 +39,8 @@ static void test_a_map_turned_about_its_lower_left_corner(void) {
   expect_turned(TURNED("0.6435011087932844"),
                 "map: m.yaml\nrobots: [{x: -0.95, y: 2.35}]\nplaces: [{x: -0.45, y: 3.35}]\n", 4, 2);
   const input_position centre = frame_centre(&scratch_input, 2, true);
-  TEST_ASSERT_EQUAL_UINT32(0,
-                           scratch_input.mission.frame.cell_size_um); /* a table holds no turn, so it gets no frame */
+  TEST_ASSERT_INT32_WITHIN(9, QTR_FRAME_ONE / 5 * 4, scratch_input.mission.frame.cosine);
+  TEST_ASSERT_INT32_WITHIN(9, QTR_FRAME_ONE / 5 * 3, scratch_input.mission.frame.sine);
   TEST_ASSERT_DOUBLE_WITHIN(1e-12, -0.45, centre.x);
   TEST_ASSERT_DOUBLE_WITHIN(1e-12, 3.35, centre.y);
 }

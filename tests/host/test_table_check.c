@@ -34,10 +34,6 @@ static void expect_refused(const char *says) {
   table_take(&policy);
 }
 
-static uint32_t steps_at(unsigned node, unsigned place) {
-  return (uint32_t)(policy.board.steps - policy.bytes) + 4 * (node * policy.board.places + place);
-}
-
 /* ---- travel times ---- */
 
 static void test_every_exported_table_is_true_of_its_map(void) {
@@ -62,7 +58,7 @@ static void test_travel_time_that_the_map_does_not_give_is_refused(void) {
       for (unsigned place = 0; place < policy.board.places; place++) {
         const qtr_steps steps = qtr_board_steps(&policy.board, QTR_ANY_SEEKER, node, place);
         const qtr_steps wrong = random_chance(&random, 60) ? steps + 1 : steps - 1;
-        store32_le(table_copy + steps_at(node, place), wrong);
+        table_set_steps(table_copy, &policy, node, place, wrong);
         if (table_forge(&policy, table_copy, table_size) == QTR_OK) {
           TEST_ASSERT_EQUAL_INT_MESSAGE(-1, table_check(&policy, case_note, &why), case_note);
           opened++;
@@ -77,9 +73,9 @@ static void test_travel_time_that_the_map_does_not_give_is_refused(void) {
 static void test_fault_names_the_way(void) {
   table_draw("1..S..2", 1);
   table_take(&policy);
-  store32_le(table_copy + steps_at(0, 1), 5);
+  table_set_steps(table_copy, &policy, 0, 1, 5);
   expect_refused("from place 0 to place 1 it says 5 steps, the map gives 6 steps");
-  store32_le(table_copy + steps_at(2, 0), 4);
+  table_set_steps(table_copy, &policy, 2, 0, 4);
   expect_refused("from start 0 to place 0 it says 4 steps, the map gives 3 steps");
 }
 

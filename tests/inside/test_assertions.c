@@ -120,8 +120,7 @@ static void let_choose_who_has_no_choice(void) {
 }
 
 static void go_a_way_that_grew(void) {
-  const uint32_t way = (uint32_t)(policy.board.steps - copy) + 4 * (3 * 3 + 1); /* from the start to place 1 */
-  store32_le(copy + way, policy.board.keys.longest + 1);
+  table_set_steps(copy, &policy, 3, 1, policy.board.keys.longest + 1); /* from the start to place 1 */
   qtr_joint_choose(&joint, &policy.board, 0, 1);
 }
 
@@ -152,15 +151,15 @@ static void test_board_and_joint_game(void) {
 /* ---- an open policy stays as it was opened ---- */
 
 static void move_a_node_off_the_grid(void) {
-  store32_le(copy + (policy.cells - copy), 14);
+  store16_le(copy + (policy.cells - copy), 14);
   qtr_policy_cell(&policy, 0);
 }
 
 static void put_records_out_of_order(void) {
   uint16_t choice;
-  const unsigned words = policy.board.keys.words;
+  const qtr_record_shape shape = policy.records_shape;
   for (uint32_t r = 0; r < policy.records; r++)
-    memset(copy + (policy.record - copy) + r * record_size(words), 255 - (int)r, 4 * words);
+    memset(copy + (policy.record - copy) + r * shape.bytes, 255 - (int)r, shape.key_bytes);
   qtr_policy_lookup(&policy, &joint, &choice);
 }
 

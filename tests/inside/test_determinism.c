@@ -87,12 +87,12 @@ typedef struct {
 } golden_drawing;
 
 static const golden_drawing drawings[] = {
-    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_FREE, 0x3F92C935},
-    {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0x8366174D},
-    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_PAPER, 0x2F913301},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0x1CC2C5DF},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0xBE29DDC8},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_PAPER, 0xD9426318},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_FREE, 0x63A87A8E},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0x67BA8AD3},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_PAPER, 0x50BF3C31},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0x8A8DF420},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0x277E4DC6},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_PAPER, 0xC9AC4BE9},
 };
 
 /* Counts differences, so that one run shows all the new numbers. */
@@ -119,7 +119,7 @@ static void test_drawings_give_the_golden_tables(void) {
 
 /* Open ground, 13 places of even odds, 2 seekers: hundreds of episodes, each on the floats of the ones before. */
 static void test_hundreds_of_episodes_give_the_golden_table(void) {
-  static const uint32_t hash[2] = {0xC91A2CD9, 0x71DC9A41};
+  static const uint32_t hash[2] = {0x80169489, 0xE9D429AE};
   unsigned others = 0;
   for (uint8_t objective = 0; objective < 2; objective++) {
     test_random random = {2024};

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "quarter/claim.h"
+#include "quarter/deployment.h"
 #include "support/forging.h"
 
 static qtr_policy policy;
@@ -33,12 +35,13 @@ static void test_size_is_told_beforehand_and_needed_to_the_byte(void) {
   TEST_ASSERT_EQUAL_HEX8(0xA5, table_bytes[size]);
 }
 
-/* 120 of header, 4 of two seekers' starts, 4 cells (3 places, 1 start), 3 weights, 4 rows of 3 travel times, the records
- * of 8 bytes (a key of one word, and the choice), 2 bytes of grid. */
+/* 160 of header, 4 of two seekers' starts, 4 cells (3 places, 1 start) of 2 bytes, 3 weights, 4 rows of 3 travel times of a
+ * byte, the records of a key and a choice of a byte, 2 bytes of grid. A key: two nodes of 4 and none, two times of 0 to 6, three
+ * places: 5 * 7 * 5 * 7 * 8 = 9800, 2 bytes. */
 static void test_size_by_hand(void) {
   table_draw("1..S..2/..1....", 2);
   const uint32_t records = qtr_learner_best(table_learner)->choices;
-  TEST_ASSERT_EQUAL_UINT32(120 + 4 + 4 * 4 + 4 * 3 + 4 * 4 * 3 + 8 * records + 2, table_size);
+  TEST_ASSERT_EQUAL_UINT32(160 + 4 + 2 * 4 + 4 * 3 + 4 * 3 + 3 * records + 2, table_size);
 }
 
 static void test_header_says_what_was_learnt(void) {
@@ -104,18 +107,27 @@ static void test_plain_ground_takes_a_bit_a_cell_and_terrain_a_byte(void) {
   TEST_ASSERT_EQUAL(QTR_GRID_BYTES, policy.grid.encoding);
 }
 
+/* A cell of the table's grid, as one of the map. */
+static unsigned on_map(unsigned cell) {
+  qtr_claim claim;
+  qtr_claim_read(&claim, &policy);
+  const unsigned column = claim.left + cell % policy.grid.columns;
+  return (claim.top + cell / policy.grid.columns) * table_mission.columns + column;
+}
+
 static void expect_mission_in_table(void) {
   const qtr_board *board = &policy.board;
-  for (unsigned cell = 0; cell < (unsigned)table_mission.columns * table_mission.rows; cell++)
-    TEST_ASSERT_EQUAL_MESSAGE(table_mission.cost[cell], qtr_grid_cost(&policy.grid, (qtr_cell)cell), case_note);
+  for (unsigned cell = 0; cell < qtr_grid_cells(&policy.grid); cell++)
+    TEST_ASSERT_EQUAL_MESSAGE(table_mission.cost[on_map(cell)], qtr_grid_cost(&policy.grid, (qtr_cell)cell), case_note);
   for (unsigned place = 0; place < table_mission.places; place++) {
-    TEST_ASSERT_EQUAL_UINT32_MESSAGE(table_mission.place[place], qtr_policy_cell(&policy, place), case_note);
+    TEST_ASSERT_EQUAL_UINT32_MESSAGE(table_mission.place[place], on_map(qtr_policy_cell(&policy, place)), case_note);
     const double weight = table_game.probability[place] * 4294967296.0;
     TEST_ASSERT_TRUE_MESSAGE(fabs(weight - qtr_policy_weight(&policy, place)) <= 1.0, case_note);
   }
   for (unsigned i = 0; i < table_mission.seekers; i++)
     TEST_ASSERT_EQUAL_UINT32_MESSAGE(table_mission.start[i],
-                                     qtr_policy_cell(&policy, (unsigned)board->places + board->start_of[i]), case_note);
+                                     on_map(qtr_policy_cell(&policy, (unsigned)board->places + board->start_of[i])),
+                                     case_note);
   for (unsigned node = 0; node < (unsigned)board->places + board->starts; node++)
     for (unsigned place = 0; place < board->places; place++)
       TEST_ASSERT_EQUAL_UINT32_MESSAGE(qtr_board_steps(&table_game.board, QTR_ANY_SEEKER, node, place),
@@ -188,6 +200,73 @@ static void test_largest_mission_exports(void) {
   expect_best_game_in_table();
 }
 
+/* What nobody gets to is left out of the grid, and the frame is that of what is left. */
+static void test_grid_is_cropped_to_what_can_be_reached(void) {
+  int64_t x, y, x_there, y_there;
+  mission_draw(&table_mission, "..#######/###.S.1##/#2....###/#########/.........");
+  table_mission.frame = (qtr_frame){250000, 1000000, -3000000, 0, QTR_FRAME_ONE};
+  table_learn(100);
+  table_export();
+  table_open(&policy);
+  TEST_ASSERT_EQUAL(6, policy.grid.columns);
+  TEST_ASSERT_EQUAL(2, policy.grid.rows);
+  expect_mission_in_table();
+  const qtr_grid whole = qtr_mission_grid(&table_mission);
+  for (unsigned cell = 0; cell < 12; cell++) {
+    TEST_ASSERT_TRUE(qtr_frame_centre(&policy.frame, &policy.grid, (qtr_cell)cell, &x, &y));
+    TEST_ASSERT_TRUE(qtr_frame_centre(&table_mission.frame, &whole, (qtr_cell)on_map(cell), &x_there, &y_there));
+    TEST_ASSERT_INT64_WITHIN(1, x_there, x);
+    TEST_ASSERT_INT64_WITHIN(1, y_there, y);
+  }
+}
+
+/* Ways up to 254 steps take a byte, to 65,534 two. */
+static void test_ways_take_as_many_bytes_as_the_longest_needs(void) {
+  static char rows[300];
+  for (unsigned steps = 253; steps < 257 && steps < QTR_MAX_CELLS; steps++) {
+    memset(rows, '.', sizeof rows);
+    rows[0] = 'S';
+    rows[steps] = '1';
+    rows[steps + 1] = '\0';
+    table_draw(rows, 1);
+    table_open(&policy);
+    TEST_ASSERT_EQUAL(steps < 255 ? 1 : 2, policy.board.step_bytes);
+    TEST_ASSERT_EQUAL_UINT32(steps, qtr_board_steps(&policy.board, 0, 1, 0));
+  }
+}
+
+static void test_places_cleared_and_numbers_are_held(void) {
+  static const uint16_t number[] = {3, 4, 9};
+  qtr_places cleared;
+  qtr_claim claim;
+  qtr_certificate certificate;
+  qtr_deployment home;
+  table_draw("1..S..2/..1....", 2);
+  table_mission.number = number;
+  qtr_places_clear(&cleared);
+  qtr_places_add(&cleared, 2);
+  qtr_learner_certificate(table_learner, &certificate);
+  const qtr_cell start[] = {table_mission.start[0]};
+  const qtr_table_content content = {.mission = &table_mission,
+                                     .board = &table_game.board,
+                                     .probability = table_game.probability,
+                                     .start = start,
+                                     .certificate = &certificate,
+                                     .cleared = &cleared};
+  const int32_t written = qtr_table_write(&content, table_bytes, sizeof table_bytes);
+  TEST_ASSERT_GREATER_THAN(0, written);
+  TEST_ASSERT_EQUAL_INT32(written, qtr_table_size(&content));
+  table_size = (uint32_t)written;
+  table_open(&policy);
+  qtr_claim_read(&claim, &policy);
+  for (unsigned place = 0; place < 3; place++)
+    TEST_ASSERT_EQUAL_UINT(number[place], qtr_claim_number(&claim, &policy, place));
+  TEST_ASSERT_EQUAL_UINT(3, qtr_claim_number(&claim, &policy, 3));
+  qtr_deployment_home(&home, &policy);
+  TEST_ASSERT_TRUE(qtr_places_has(&home.cleared, 2) && !qtr_places_has(&home.cleared, 0));
+  table_mission.number = NULL;
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_size_is_told_beforehand_and_needed_to_the_byte);
@@ -199,5 +278,8 @@ int main(void) {
   RUN_TEST(test_what_is_read_is_what_was_learnt);
   RUN_TEST(test_learning_stopped_at_any_step_exports);
   RUN_TEST(test_largest_mission_exports);
+  RUN_TEST(test_grid_is_cropped_to_what_can_be_reached);
+  RUN_TEST(test_ways_take_as_many_bytes_as_the_longest_needs);
+  RUN_TEST(test_places_cleared_and_numbers_are_held);
   return UNITY_END();
 }

@@ -147,42 +147,53 @@ static void expect_read_as_ever(const char *name) {
 
 static void test_31_places(void) {
   expect_read_as_ever("places-31");
+  expect_read_as_ever("places-31-2");
 }
 
 static void test_32_places(void) {
   expect_read_as_ever("places-32");
+  expect_read_as_ever("places-32-2");
 }
 
 static void test_33_places(void) {
   expect_read_as_ever("places-33");
+  expect_read_as_ever("places-33-2");
 }
 
 static void test_63_places(void) {
   expect_read_as_ever("places-63");
+  expect_read_as_ever("places-63-2");
 }
 
 static void test_64_places(void) {
   expect_read_as_ever("places-64");
+  expect_read_as_ever("places-64-2");
 }
 
 static void test_65_places(void) {
   expect_read_as_ever("places-65");
+  expect_read_as_ever("places-65-2");
 }
 
 static void test_any_start(void) {
   expect_read_as_ever("any-start");
+  expect_read_as_ever("any-start-2");
 }
 
 static void test_most_places_and_robots(void) {
   expect_read_as_ever("most");
+  expect_read_as_ever("most-2");
 }
 
 static void test_golden_tables_are_what_their_names_say(void) {
   read_table(GOLDEN "most.qtr");
   TEST_ASSERT_EQUAL(128, policy.board.places);
   TEST_ASSERT_EQUAL(16, policy.board.seekers);
+  TEST_ASSERT_EQUAL(1, policy.format);
   read_table(GOLDEN "any-start.qtr");
   TEST_ASSERT_NOT_NULL(policy.regions);
+  read_table(GOLDEN "most-2.qtr");
+  TEST_ASSERT_EQUAL(2, policy.format);
 }
 
 int main(int argc, char **argv) {

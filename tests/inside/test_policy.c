@@ -39,17 +39,22 @@ static void test_every_truncation_is_refused(void) {
   }
 }
 
-static void test_bytes_after_the_table_are_refused(void) {
+/* Names may stand there, for people. */
+static void test_bytes_after_the_robots_part_are_not_looked_at(void) {
   make_table();
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_policy_open(&policy, copy, table_size + 1));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_policy_open(&policy, copy, table_size + 4));
+  for (uint32_t more = 1; more < 10; more++) {
+    memset(copy + table_size, 0xA5, more);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_open(&policy, copy, table_size + more));
+    TEST_ASSERT_EQUAL_UINT32(table_size, policy.size);
+  }
 }
 
 static bool is_expected_of_flip(uint32_t byte, int status) {
   if (byte < QTR_POLICY_VERSION) return status == QTR_ERR_MAGIC;
   if (byte < QTR_POLICY_HEADER) return status == QTR_ERR_FORMAT;
   if (byte < QTR_POLICY_SIZE) return status == QTR_ERR_CORRUPT;
-  if (byte < QTR_POLICY_CRC) return status == QTR_ERR_TRUNCATED || status == QTR_ERR_CORRUPT;
+  if (byte < QTR_POLICY_CRC)
+    return status == QTR_ERR_TRUNCATED || status == QTR_ERR_CORRUPT || status == QTR_ERR_CHECKSUM;
   return status == QTR_ERR_CHECKSUM;
 }
 
@@ -164,7 +169,7 @@ static uint32_t cells_at(void) {
 }
 
 static uint32_t weights_at(void) {
-  return cells_at() + 4 * 6;
+  return cells_at() + 2 * 6;
 }
 
 static uint32_t travel_at(void) {
@@ -172,16 +177,15 @@ static uint32_t travel_at(void) {
 }
 
 static uint32_t records_at(void) {
-  return travel_at() + 4 * 6 * 4;
+  return travel_at() + 6 * 4;
 }
 
 static void test_nodes_on_obstacles_or_off_the_map_are_refused(void) {
   make_table();
   for (unsigned node = 0; node < 6; node++) {
-    expect_field(QTR_ERR_CORRUPT, cells_at() + 4 * node, 8, 4); /* the obstacle */
-    expect_field(QTR_ERR_CORRUPT, cells_at() + 4 * node, 21, 4);
-    expect_field(QTR_ERR_CORRUPT, cells_at() + 4 * node, 0x10000, 4); /* 0 in 16 bits */
-    expect_field(QTR_ERR_CORRUPT, cells_at() + 4 * node, 0xFFFFFFFF, 4);
+    expect_field(QTR_ERR_CORRUPT, cells_at() + 2 * node, 8, 2); /* the obstacle */
+    expect_field(QTR_ERR_CORRUPT, cells_at() + 2 * node, 21, 2);
+    expect_field(QTR_ERR_CORRUPT, cells_at() + 2 * node, 0xFFFF, 2);
   }
 }
 
@@ -190,21 +194,16 @@ static void test_place_without_weight_is_refused(void) {
   for (unsigned place = 0; place < 4; place++) expect_field(QTR_ERR_CORRUPT, weights_at() + 4 * place, 0, 4);
 }
 
-static void test_travel_time_that_might_overflow_is_refused(void) {
-  make_table();
-  expect_field(QTR_ERR_CORRUPT, travel_at() + 4, 0xFFFFFFFE, 4);
-}
-
 static void test_choices_out_of_range_are_refused(void) {
   make_table();
-  const uint32_t choice = records_at() + 4u * policy.board.keys.words;
-  expect_field(QTR_ERR_CORRUPT, choice, 4, 2);
-  expect_field(QTR_ERR_CORRUPT, choice, 0xFFFE, 2);
+  const uint32_t choice = records_at() + policy.records_shape.key_bytes;
+  expect_field(QTR_ERR_CORRUPT, choice, 4, 1);
+  expect_field(QTR_ERR_CORRUPT, choice, 0xFE, 1);
 }
 
 static void test_records_out_of_order_or_twice_are_refused(void) {
   make_table();
-  const uint32_t bytes = 4u * policy.board.keys.words + 4;
+  const uint32_t bytes = policy.records_shape.bytes;
   uint8_t *first = copy + records_at();
   memcpy(first, table_bytes + records_at() + bytes, bytes);
   table_seal(copy, table_size);
@@ -220,6 +219,12 @@ static void test_table_of_a_build_that_plays_otherwise_is_refused(void) {
   expect_field(QTR_ERR_SELFTEST, QTR_POLICY_KEY_WORDS, policy.board.keys.words + 1, 1);
 }
 
+static const uint8_t *key_bytes(const qtr_key *key) {
+  static uint8_t bytes[4];
+  store32_le(bytes, key->word[0]);
+  return bytes;
+}
+
 /* The start state's record says another place: the game is no longer that of the digest. */
 static void test_record_that_changes_the_game_is_refused(void) {
   qtr_joint start;
@@ -229,10 +234,11 @@ static void test_record_that_changes_the_game_is_refused(void) {
   qtr_joint_start(&start, &policy.board, NULL, NULL);
   qtr_joint_key(&key, &start, &policy.board);
   TEST_ASSERT_EQUAL_UINT8(1, policy.board.keys.words);
-  while (load32_le(table_bytes + at) != key.word[0]) at += 8;
-  const uint32_t choice = load16_le(table_bytes + at + 4);
+  const qtr_record_shape shape = policy.records_shape;
+  while (memcmp(table_bytes + at, key_bytes(&key), shape.key_bytes) != 0) at += shape.bytes;
+  const uint32_t choice = table_bytes[at + shape.key_bytes];
   for (uint32_t other = 0; other < 4; other++)
-    expect_field(other == choice ? QTR_OK : QTR_ERR_SELFTEST, at + 4, other, 2);
+    expect_field(other == choice ? QTR_OK : QTR_ERR_SELFTEST, at + shape.key_bytes, other, 1);
 }
 
 /* ---- forged tables: whatever opens can be read and played without going out of range or on for ever ---- */
@@ -296,13 +302,13 @@ static void test_forged_tables_are_refused_or_harmless(void) {
     opened++;
     play_all_forged(&random);
   }
-  TEST_ASSERT_GREATER_THAN(1000, opened);
+  TEST_ASSERT_GREATER_THAN(600, opened);
 }
 
 /* ---- off the table ---- */
 
 static void forget_records(void) {
-  const uint32_t bytes = policy.records * (4u * policy.board.keys.words + 4);
+  const uint32_t bytes = policy.records * policy.records_shape.bytes;
   const uint32_t at = (uint32_t)(policy.record - table_bytes);
   memmove(copy + at, copy + at + bytes, table_size - at - bytes);
   table_size -= bytes;
@@ -383,7 +389,7 @@ static void test_states_of_the_nominal_game_are_never_off_the_table(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_every_truncation_is_refused);
-  RUN_TEST(test_bytes_after_the_table_are_refused);
+  RUN_TEST(test_bytes_after_the_robots_part_are_not_looked_at);
   RUN_TEST(test_every_single_bit_flip_is_refused);
   RUN_TEST(test_empty_erased_and_zeroed_flash_are_refused);
   RUN_TEST(test_table_is_read_at_any_address);
@@ -396,7 +402,6 @@ int main(void) {
   RUN_TEST(test_gap_in_the_table_is_refused);
   RUN_TEST(test_nodes_on_obstacles_or_off_the_map_are_refused);
   RUN_TEST(test_place_without_weight_is_refused);
-  RUN_TEST(test_travel_time_that_might_overflow_is_refused);
   RUN_TEST(test_choices_out_of_range_are_refused);
   RUN_TEST(test_records_out_of_order_or_twice_are_refused);
   RUN_TEST(test_table_of_a_build_that_plays_otherwise_is_refused);

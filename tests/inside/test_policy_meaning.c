@@ -34,7 +34,7 @@ static void make_table(void) {
 }
 
 static void set_steps(unsigned node, unsigned place, qtr_steps steps) {
-  store32_le(table_copy + offset_of(policy.board.steps) + 4 * (node * policy.board.places + place), steps);
+  table_set_steps(table_copy, &policy, node, place, steps);
   snprintf(case_note, sizeof case_note, "%u steps from node %u to place %u", (unsigned)steps, node, place);
 }
 
@@ -270,14 +270,7 @@ static void expect_byte(uint32_t offset, unsigned value) {
 static void test_bytes_kept_for_later_are_0(void) {
   table_draw("1..S..2", 1);
   table_take(&policy);
-  expect_byte(QTR_POLICY_KEY_WORDS + 1, 1);
-  for (unsigned i = 0; i < 4; i++) {
-    expect_byte(QTR_POLICY_PRODUCER + 4 + i, 128);
-    expect_byte(QTR_POLICY_CELL_SIZE + 4 + i, 1);
-  }
-  expect_byte(QTR_POLICY_HEADER_BYTES + 2, 1); /* beside the one seat */
-  expect_byte(QTR_POLICY_HEADER_BYTES + 3, 1);
-  expect_byte(offset_of(policy.record) + 4u * policy.board.keys.words + 2, 1);
+  for (unsigned at = QTR_POLICY_SPARE; at < QTR_POLICY_HEADER_BYTES; at++) expect_byte(at, 1);
   expect_byte(table_size - 1, 0xFF); /* the eighth of seven cells */
 }
 
@@ -288,6 +281,36 @@ static void test_map_without_metres_lies_nowhere(void) {
   store32_le(table_copy + QTR_POLICY_CELL_SIZE, 50000);
   table_copy[QTR_POLICY_ORIGIN_X] = 1;
   expect(QTR_OK);
+}
+
+static void test_turn_that_is_no_angle_is_refused(void) {
+  make_table();
+  expect_byte(QTR_POLICY_COSINE, 1);
+  store32_le(table_copy + QTR_POLICY_CELL_SIZE, 50000);
+  expect_byte(QTR_POLICY_SINE, 1);
+  store32_le(table_copy + QTR_POLICY_CELL_SIZE, 50000);
+  store32_le(table_copy + QTR_POLICY_SINE, (uint32_t)-QTR_FRAME_ONE);
+  expect(QTR_OK);
+}
+
+/* 7 x 3 cells, all of their map. */
+static void test_grid_that_does_not_lie_on_its_map_is_refused(void) {
+  make_table();
+  expect_byte(QTR_POLICY_LEFT, 1);
+  expect_byte(QTR_POLICY_TOP, 1);
+  expect_byte(QTR_POLICY_MAP_COLUMNS, 6);
+  expect_byte(QTR_POLICY_MAP_ROWS, 2);
+  table_copy[QTR_POLICY_MAP_COLUMNS]++;
+  table_copy[QTR_POLICY_LEFT]++;
+  expect(QTR_OK);
+}
+
+static void test_feature_of_a_later_version_is_refused(void) {
+  make_table();
+  for (unsigned bit = 2; bit < 32; bit++) {
+    store32_le(table_copy + QTR_POLICY_FEATURES, (uint32_t)1 << bit);
+    expect(QTR_ERR_FORMAT);
+  }
 }
 
 /* ---- regions ---- */
@@ -348,6 +371,9 @@ int main(void) {
   RUN_TEST(test_gap_to_a_value_of_nothing_may_be_infinite_but_not_certified);
   RUN_TEST(test_bytes_kept_for_later_are_0);
   RUN_TEST(test_map_without_metres_lies_nowhere);
+  RUN_TEST(test_turn_that_is_no_angle_is_refused);
+  RUN_TEST(test_grid_that_does_not_lie_on_its_map_is_refused);
+  RUN_TEST(test_feature_of_a_later_version_is_refused);
   RUN_TEST(test_region_that_is_none_is_refused);
   RUN_TEST(test_blocked_cell_is_of_no_region);
   RUN_TEST(test_region_whose_start_lies_elsewhere_is_refused);

@@ -35,6 +35,7 @@ static void set_board(unsigned places, unsigned seekers, unsigned longest) {
   board.places = (uint16_t)places;
   board.seekers = (uint8_t)seekers;
   board.starts = 1;
+  board.step_bytes = 4;
   board.steps = steps;
   for (unsigned i = 0; i < (places + 1) * places; i++) store32_le(steps + 4 * i, longest);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));

@@ -1,5 +1,6 @@
 /* profiles: host mcu */
 /* The executor, its signals and saves with any integers and bytes at all; the rest of the robot side is in test_ranges.c. */
+#include "quarter/names.h"
 #include "support/forging.h"
 #include "support/ranges.h"
 
@@ -108,10 +109,58 @@ static void test_division_of_any_deployment_ends(void) {
   }
 }
 
+/* Behind the robot's part: any bytes, and names of any length. */
+static void test_names_of_any_bytes(void) {
+  for (unsigned number = 0; number < 2000; number++) {
+    test_random random = random_case("names", number);
+    char mission[QTR_NAME_BYTES + 40];
+    char read[QTR_NAME_BYTES];
+    uint8_t bytes[QTR_NAME_BYTES + 60];
+    const uint32_t length = random_below(&random, QTR_NAME_BYTES + 20);
+    for (uint32_t i = 0; i < length; i++) mission[i] = (char)random_in(&random, 1, 255);
+    mission[length] = '\0';
+    const uint32_t size = qtr_names_size(mission);
+    TEST_ASSERT_EQUAL(length == 0 || length >= QTR_NAME_BYTES, size == 0);
+    qtr_names_write(bytes, mission);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_names_read(read, bytes, size));
+    TEST_ASSERT_EQUAL_STRING(size > 0 ? mission : "", read);
+    if (size == 0) continue;
+    bytes[random_below(&random, size)] ^= (uint8_t)random_in(&random, 1, 255);
+    if (random_chance(&random, 50)) store32_le(bytes + 12, qtr_crc32_add(0, bytes + 16, size - 16));
+    const int status = qtr_names_read(read, bytes, random_chance(&random, 80) ? size : random_in(&random, 1, size));
+    TEST_ASSERT_TRUE(status == QTR_OK || status == QTR_ERR_CORRUPT);
+    TEST_ASSERT_LESS_THAN(QTR_NAME_BYTES, strlen(read));
+  }
+}
+
+static void test_tables_say_what_they_are_of(void) {
+  for (unsigned number = 0; number < 60; number++) {
+    test_random random;
+    qtr_claim claim;
+    qtr_deployment home;
+    qtr_box box = {0, 0, 0, 0};
+    open_random("claims", number, &random);
+    qtr_claim_read(&claim, &policy);
+    const unsigned place = any_number(&random, policy.board.places);
+    TEST_ASSERT_EQUAL_UINT(place, qtr_claim_number(&claim, &policy, place));
+    qtr_deployment_home(&home, &policy);
+    for (unsigned i = 0; i < policy.board.seekers; i++)
+      TEST_ASSERT_EQUAL_UINT16(policy.board.start_of[i], home.start_of[i]);
+    TEST_ASSERT_EQUAL_HEX32(load32_le(table_bytes + QTR_POLICY_DIGEST), qtr_policy_digest(&policy));
+    TEST_ASSERT_TRUE(qtr_frame_is_one(&policy.frame));
+    for (unsigned cells = 0; cells < 5; cells++)
+      qtr_box_add(&box, &policy.grid, (qtr_cell)random_below(&random, qtr_grid_cells(&policy.grid)));
+    TEST_ASSERT_TRUE(box.left < box.right && box.right <= policy.grid.columns);
+    TEST_ASSERT_TRUE(box.top < box.bottom && box.bottom <= policy.grid.rows);
+  }
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_executor_takes_any_words);
   RUN_TEST(test_signal_of_any_bytes);
   RUN_TEST(test_division_of_any_deployment_ends);
+  RUN_TEST(test_names_of_any_bytes);
+  RUN_TEST(test_tables_say_what_they_are_of);
   return UNITY_END();
 }

@@ -4,6 +4,7 @@
 
 #include "learning.h"
 #include "missions.h"
+#include "quarter/digest.h"
 #include "quarter/export.h"
 #include "quarter/learner.h"
 #include "quarter/nominal.h"
@@ -81,6 +82,7 @@ static inline void table_draw_regions(void) {
   qtr_board board = table_game.board;
   board.starts = 3;
   board.start_of[0] = 2;
+  board.step_bytes = 4;
   board.steps = steps;
   for (unsigned place = 0; place < 2; place++) {
     TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_field_fill(&table_field, &grid, table_mission.place[place]));
@@ -92,11 +94,19 @@ static inline void table_draw_regions(void) {
   uint16_t of[14];
   for (unsigned cell = 0; cell < 14; cell++) of[cell] = cell < 7 ? region[cell] : region[cell - 7 == 4 ? 5 : cell - 7];
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
-  const qtr_table_content content = {&table_mission, &board, table_game.probability, start, of,
-                                     NULL,           0,      &certificate,           1};
+  const qtr_table_content content = {
+      &table_mission, &board, table_game.probability, start, of, NULL, 0, &certificate, 1, NULL, NULL};
   const int32_t written = qtr_table_write(&content, table_bytes, sizeof table_bytes);
   TEST_ASSERT_GREATER_THAN(0, written);
   table_size = (uint32_t)written;
+}
+
+/* Write a travel time into a copy of an open policy's bytes, in as many bytes as the table has for one. */
+static inline void table_set_steps(uint8_t *bytes, const qtr_policy *policy, unsigned node, unsigned place,
+                                   qtr_steps steps) {
+  const unsigned width = policy->board.step_bytes;
+  uint8_t *at = bytes + (policy->board.steps - policy->bytes) + width * (node * policy->board.places + place);
+  for (unsigned i = 0; i < width; i++) at[i] = (uint8_t)(steps >> (8 * i) & 0xFFu);
 }
 
 #endif

@@ -42,14 +42,24 @@ static void test_learn_and_exact_name_places_by_the_inputs_numbers(void) {
   expect_out("places.csv:3: place 1 stands on an obstacle");
 }
 
-static void test_with_a_table_the_mapping_is_told(void) {
+static void test_a_table_keeps_the_inputs_numbers(void) {
   run_well("learn mission.yaml --skip-unreachable -o m.qtr");
   expect_err("quarter: note: mission.yaml: left out, for no seeker can reach them: place 0 (places.csv:2)\n");
-  expect_err("0 to 1 are 2 to 3 of the input");
   run_well("simulate m.qtr");
-  expect_out("place 0");
-  run_tool(&r, "simulate --help");
-  expect_out("the table's numbers");
+  expect_out("place 2\n");
+  expect_out("place 3\n");
+  run_well("simulate m.qtr --target 3 --clear 2");
+  expect_out("found at place 3");
+  run_well("simulate m.qtr --json");
+  expect_out("\"place\": 2");
+  run_well("inspect m.qtr");
+  expect_out("seeker 0: 2 (step 1) -> 3 (step 3)");
+  run_well("inspect m.qtr --json");
+  expect_out("\"number\": 3");
+  expect_out("\"places\": [2, 3]");
+  run_tool(&r, "simulate m.qtr --target 0");
+  TEST_ASSERT_EQUAL_INT(2, r.status);
+  expect_err("--target: there is no place 0; the table has places 2 to 3 but those that were left out");
 }
 
 static void test_nothing_left_out_nothing_told(void) {
@@ -106,29 +116,27 @@ static void test_all_bad_places_are_told_a_line_each_with_status_2(void) {
   expect_err("\nquarter: places.csv:5: place 3: column 7, row 2 lies outside the map");
 }
 
-static void test_a_turned_map_has_no_frame_in_its_table_and_learn_says_so(void) {
+static void test_a_turned_maps_table_holds_the_turn(void) {
   write_file("m.pgm", "P2 3 1 1 1 1 1\n");
   write_file("m.yaml", "image: m.pgm\nresolution: 1\norigin: [0, 0, 0.5]\nnegate: 0\noccupied_thresh: 0.6\n"
                        "free_thresh: 0.2\n");
   write_file("turned.yaml",
              "map: m.yaml\nrobot_radius: 0\nrobots: [{column: 0, row: 0}]\nplaces: [{x: 1.9, y: 1.6}]\n");
   run_well("learn turned.yaml -o turned.qtr");
-  expect_err(
-      "quarter: note: turned.yaml: the map is turned by 0.5 rad, which a table cannot hold yet: it has no frame");
-  run_well("inspect turned.qtr --json");
-  TEST_ASSERT_NULL(strstr(r.out, "cell_size"));
-  run_well("learn turned.yaml");
   TEST_ASSERT_EQUAL_STRING("", r.err);
+  run_well("inspect turned.qtr --json");
+  expect_out("\"cell_size\": 1,");
+  expect_out("\"yaw\": 0.5");
 }
 
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_learn_and_exact_name_places_by_the_inputs_numbers);
-  RUN_TEST(test_with_a_table_the_mapping_is_told);
+  RUN_TEST(test_a_table_keeps_the_inputs_numbers);
   RUN_TEST(test_nothing_left_out_nothing_told);
   RUN_TEST(test_belief_takes_and_tells_the_inputs_numbers);
   RUN_TEST(test_snap_is_the_same_for_every_command);
   RUN_TEST(test_all_bad_places_are_told_a_line_each_with_status_2);
-  RUN_TEST(test_a_turned_map_has_no_frame_in_its_table_and_learn_says_so);
+  RUN_TEST(test_a_turned_maps_table_holds_the_turn);
   return UNITY_END();
 }

@@ -43,10 +43,13 @@ static int64_t micrometres(double metres) {
 }
 
 void frame_in_um(const input_frame *frame, qtr_frame *out) {
-  if (!frame->metric || frame->yaw != 0.0) return;
+  if (!frame->metric) return;
   out->cell_size_um = (uint32_t)micrometres(frame->cell_size);
   out->origin_x_um = micrometres(frame->origin_x);
   out->origin_y_um = micrometres(frame->origin_y);
+  if (frame->yaw == 0.0) return;
+  out->cosine = (int32_t)lround(cos(frame->yaw) * QTR_FRAME_ONE);
+  out->sine = (int32_t)lround(sin(frame->yaw) * QTR_FRAME_ONE);
 }
 
 void frame_name(char *out, size_t size, input_position position) {

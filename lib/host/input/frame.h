@@ -17,8 +17,8 @@ qtr_cell frame_cell(const input *in, input_position position);
 /* The middle of a cell, in metres in the map frame or as column and row. */
 input_position frame_centre(const input *in, qtr_cell cell, bool metres);
 
-/* The frame as a table holds it, so that a robot can tell cells from its own pose: whole micrometres, and no turn. Left as it
- * is (none) where the map has no metres, or is turned. */
+/* The frame as a table holds it, so that a robot can tell cells from its own pose: whole micrometres. Left as it is
+ * (none) where the map has no metres. */
 void frame_in_um(const input_frame *frame, qtr_frame *out);
 
 /* "x 1.5, y 2" or "column 3, row 4" into out[size]. */

@@ -12,25 +12,6 @@ const char *input_source_path(const input *in, input_origin origin) {
   }
 }
 
-void input_note_numbers(input *in) {
-  char runs[NOTES_SIZE / 2] = "";
-  size_t used = 0;
-  const int places = in->mission.places;
-  if (places == in->places_stated) return;
-  for (int first = 0, next; first < places && used < sizeof runs; first = next) {
-    for (next = first + 1; next < places && in->place_number[next] == in->place_number[next - 1] + 1;) next++;
-    const int number = in->place_number[first], last = number + next - first - 1;
-    const char *joint = first > 0 ? ", " : "";
-    used += (size_t)(next - first == 1 ? snprintf(runs + used, sizeof runs - used, "%s%d is %d", joint, first, number)
-                                       : snprintf(runs + used, sizeof runs - used, "%s%d to %d are %d to %d", joint,
-                                                  first, next - 1, number, last));
-  }
-  notes_add(&in->note,
-            "%s: this report has the input's numbers of places, but the table numbers those it holds anew, and so do "
-            "simulate, inspect and draw of it: %s of the input",
-            file_short_path(in->path), runs);
-}
-
 void input_keep_place(input *in, int to, int from) {
   qtr_mission *mission = &in->mission;
   mission->place[to] = mission->place[from];

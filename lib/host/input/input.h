@@ -67,9 +67,6 @@ typedef struct {
 /* The path of the file in which a start or place is stated. */
 const char *input_source_path(const input *in, input_origin origin);
 
-/* Note how a table numbers the places, if some were left out: it knows only those that are there. */
-void input_note_numbers(input *in);
-
 /* Let place `from` stand in the place of `to`, number and all: where places are left out. */
 void input_keep_place(input *in, int to, int from);
 

@@ -95,6 +95,8 @@ int problem_measure(problem *p, const plan_config *config, fault *why) {
     if (handle_unreachable(p, config, why) != 0) return -1;
     status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
   }
+  const bool some_left_out = p->in.places_stated != p->in.mission.places;
+  p->in.mission.number = some_left_out ? p->in.place_number : NULL;
   p->travel_seconds = stop_seconds() - begin;
   notes_print(&p->in.note, 0);
   if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, why);

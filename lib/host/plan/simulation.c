@@ -89,7 +89,7 @@ static int make_world(world *w, const table *t, const qtr_deployment *deployment
     robot *r = &w->robots[i];
     r->way = malloc(qtr_grid_cells(&t->policy.grid) * sizeof *r->way);
     r->heading = QTR_STAND_DOWN;
-    r->cell = config->froms > 0 ? (qtr_cell)(config->from[i].row * t->policy.grid.columns + config->from[i].column)
+    r->cell = config->froms > 0 ? table_cell(t, config->from[i].column, config->from[i].row)
                                 : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
     r->factor = 1.0;
     r->lost = QTR_NEVER;

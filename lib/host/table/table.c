@@ -19,17 +19,55 @@ static const char *mend_of(int status) {
   }
 }
 
+int table_open_bytes(table *t) {
+  const int status = qtr_policy_open(&t->policy, t->bytes.data, (uint32_t)t->bytes.size);
+  t->name[0] = '\0';
+  if (status == QTR_OK) qtr_claim_read(&t->claim, &t->policy);
+  return status;
+}
+
+static int read_names(table *t, const char *path, fault *why) {
+  const uint32_t behind = (uint32_t)t->bytes.size - t->policy.size;
+  if (qtr_names_read(t->name, t->bytes.data + t->policy.size, behind) == QTR_OK) return 0;
+  return fault_set(why, "%s: what stands behind the table is damaged; %s", path, mend_of(QTR_ERR_CHECKSUM));
+}
+
 int table_read(table *t, const char *path, fault *why) {
   if (file_read(&t->bytes, path, TABLE_LIMIT, NULL, why) != 0) return -1;
-  const int status = qtr_policy_open(&t->policy, t->bytes.data, (uint32_t)t->bytes.size);
+  const int status = table_open_bytes(t);
   if (status != QTR_OK) fault_set(why, "%s: %s; %s", path, qtr_strerror(status), mend_of(status));
-  if (status == QTR_OK && table_check(&t->policy, path, why) == 0) return 0;
+  if (status == QTR_OK && read_names(t, path, why) == 0 && table_check(&t->policy, path, why) == 0) return 0;
   file_free(&t->bytes);
   return -1;
 }
 
 void table_free(table *t) {
   file_free(&t->bytes);
+}
+
+unsigned table_number(const table *t, unsigned place) {
+  return qtr_claim_number(&t->claim, &t->policy, place);
+}
+
+int table_place(const table *t, unsigned number) {
+  for (unsigned place = 0; place < t->policy.board.places; place++)
+    if (table_number(t, place) == number) return (int)place;
+  return -1;
+}
+
+unsigned table_column(const table *t, qtr_cell cell) {
+  return t->claim.left + cell % t->policy.grid.columns;
+}
+
+unsigned table_row(const table *t, qtr_cell cell) {
+  return t->claim.top + cell / t->policy.grid.columns;
+}
+
+qtr_cell table_cell(const table *t, int column, int row) {
+  const qtr_grid *grid = &t->policy.grid;
+  const int here = column - t->claim.left, down = row - t->claim.top;
+  if (here < 0 || down < 0 || here >= grid->columns || down >= grid->rows) return QTR_NO_CELL;
+  return (qtr_cell)(down * grid->columns + here);
 }
 
 double table_probability(const table *t, unsigned place) {
@@ -69,11 +107,35 @@ bool table_is_one(const char *path) {
   return got == (ssize_t)sizeof magic && memcmp(magic, "QTRP", sizeof magic) == 0;
 }
 
-const char *table_map_row(char *text, const qtr_grid *grid, unsigned row) {
-  for (unsigned column = 0; column < grid->columns; column++) {
-    const unsigned cost = qtr_grid_cost(grid, (qtr_cell)(row * grid->columns + column));
-    text[column] = cost == 0 ? '#' : cost == 1 ? '.' : (char)('0' + (cost < 9 ? cost : 9));
-  }
+static char sign_of(unsigned cost) {
+  if (cost < 2) return cost == 0 ? '#' : '.';
+  return (char)('0' + (cost < 9 ? cost : 9));
+}
+
+const char *table_grid_row(char *text, const qtr_grid *grid, unsigned row) {
+  for (unsigned column = 0; column < grid->columns; column++)
+    text[column] = sign_of(qtr_grid_cost(grid, (qtr_cell)(row * grid->columns + column)));
   text[grid->columns] = '\0';
   return text;
+}
+
+const char *table_map_row(char *text, const table *t, unsigned row) {
+  for (unsigned column = 0; column < t->claim.map_columns; column++) {
+    const qtr_cell cell = table_cell(t, (int)column, (int)row);
+    text[column] = sign_of(cell != QTR_NO_CELL ? qtr_grid_cost(&t->policy.grid, cell) : 0);
+  }
+  text[t->claim.map_columns] = '\0';
+  return text;
+}
+
+void table_map_origin(const table *t, double *x, double *y) {
+  const qtr_frame *frame = &t->policy.frame;
+  const bool is_turned = frame->cosine != 0 || frame->sine != 0;
+  const double cosine = is_turned ? (double)frame->cosine / QTR_FRAME_ONE : 1.0;
+  const double sine = (double)frame->sine / QTR_FRAME_ONE;
+  const double side = frame->cell_size_um / 1e6;
+  const double right = t->claim.left * side;
+  const double up = (t->claim.map_rows - t->claim.top - t->policy.grid.rows) * side;
+  *x = (double)frame->origin_x_um / 1e6 - (cosine * right - sine * up);
+  *y = (double)frame->origin_y_um / 1e6 - (sine * right + cosine * up);
 }

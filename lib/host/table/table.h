@@ -6,12 +6,16 @@
 
 #include "host/base/fault.h"
 #include "host/base/file.h"
+#include "quarter/claim.h"
+#include "quarter/names.h"
 #include "quarter/policy.h"
 #include "quarter/travel.h"
 
 typedef struct {
   file_bytes bytes;
-  qtr_policy policy; /* views into `bytes` */
+  qtr_policy policy;         /* views into `bytes` */
+  qtr_claim claim;           /* as well */
+  char name[QTR_NAME_BYTES]; /* of the mission; empty: the table has none */
 } table;
 
 /* One seeker's part of the nominal game. */
@@ -24,7 +28,21 @@ typedef struct {
 /* Read and open a table, and hold it against its own map (table_check.h). 0, or -1 with *why set and nothing to free. */
 int table_read(table *t, const char *path, fault *why);
 
+/* Open `t->bytes`, which the caller has filled, without a look at the map: for who has just made them. QTR_OK, or an error of
+ * qtr_policy_open(). */
+int table_open_bytes(table *t);
+
 void table_free(table *t);
+
+/* The input's number of a place; and the place of a number, -1 if it has none. */
+unsigned table_number(const table *t, unsigned place);
+int table_place(const table *t, unsigned number);
+
+/* Column and row of one of the table's cells on the map that it was learnt on, of which it holds a part; and the cell of those,
+ * QTR_NO_CELL outside that part. */
+unsigned table_column(const table *t, qtr_cell cell);
+unsigned table_row(const table *t, qtr_cell cell);
+qtr_cell table_cell(const table *t, int column, int row);
 
 /* A place's likelihood, as exactly as the table holds it. */
 double table_probability(const table *t, unsigned place);
@@ -32,9 +50,15 @@ double table_probability(const table *t, unsigned place);
 /* The nominal routes of all seekers, `routes` one for each. Returns how many choices were made off the table. */
 uint32_t table_routes(const table *t, table_route *routes);
 
-/* A row of the map as text, '#' blocked, '.' free, 2 to 9 the steps that slow ground takes (9 or more), into `text`, which
- * holds a character more than columns. Returns it. */
-const char *table_map_row(char *text, const qtr_grid *grid, unsigned row);
+/* A row of the table's grid as text, '#' blocked, '.' free, 2 to 9 the steps that slow ground takes (9 or more), into `text`,
+ * which holds a character more than columns. Returns it. */
+const char *table_grid_row(char *text, const qtr_grid *grid, unsigned row);
+
+/* The same of the map that it was learnt on, '#' also where the table holds nothing. */
+const char *table_map_row(char *text, const table *t, unsigned row);
+
+/* The outer corner of that map's bottom-left cell, in metres of the map frame. */
+void table_map_origin(const table *t, double *x, double *y);
 
 /* Whether the bytes are those of a table rather than of an input. */
 bool table_is_one(const char *path);

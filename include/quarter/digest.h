@@ -1,0 +1,12 @@
+/* A digest of the nominal game from the mission's own starts: who chooses what, when. It is stored in the table and compared
+ * on opening, so that a robot whose build plays otherwise than the learner's fails loudly instead of searching wrongly. */
+#ifndef QUARTER_DIGEST_H
+#define QUARTER_DIGEST_H
+
+#include <stdint.h>
+
+#include "quarter/policy.h"
+
+uint32_t qtr_policy_digest(const qtr_policy *policy);
+
+#endif

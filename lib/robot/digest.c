@@ -1,0 +1,64 @@
+#include "quarter/digest.h"
+
+#include <stddef.h>
+
+#include "core/bytes.h"
+#include "core/crc.h"
+#include "quarter/deployment.h"
+#include "quarter/nominal.h"
+
+/* A choice, and the step at which it is made. */
+static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
+  uint8_t line[8] = {(uint8_t)seeker, 0, 0, 0, 0, 0, 0, 0};
+  store16_le(line + 2, choice);
+  store32_le(line + 4, now);
+  return qtr_crc32_add(digest, line, sizeof line);
+}
+
+/* One pass over the game, choice by choice. */
+static uint32_t digest_of_game(const qtr_policy *policy) {
+  const qtr_board *board = &policy->board;
+  qtr_deployment home;
+  qtr_joint joint;
+  qtr_steps now = 0;
+  qtr_steps passed = 0;
+  uint32_t digest = 0;
+  qtr_deployment_home(&home, policy);
+  qtr_joint_start(&joint, board, home.start_of, &home.cleared);
+  do {
+    for (int seeker = qtr_joint_chooser(&joint, board); seeker != QTR_NOBODY;
+         seeker = qtr_joint_chooser(&joint, board)) {
+      const uint16_t choice = qtr_policy_choose(policy, &joint, seeker, NULL);
+      digest = add(digest, seeker, choice, now);
+      qtr_joint_choose(&joint, board, seeker, choice);
+    }
+    passed = qtr_joint_advance(&joint, board, NULL);
+    now += passed;
+  } while (passed > 0);
+  return digest;
+}
+
+#if QTR_READ_FORMAT_1
+/* As format 1 has it: seeker by seeker, and at the end of each the step at which it is known to be the end. */
+static uint32_t digest_of_routes(const qtr_policy *policy) {
+  uint32_t digest = 0;
+  for (int seeker = 0; seeker < policy->board.seekers; seeker++) {
+    qtr_joint joint;
+    qtr_steps now = 0;
+    uint16_t choice = 0;
+    qtr_joint_start(&joint, &policy->board, NULL, NULL);
+    while (choice != QTR_STAND_DOWN) {
+      choice = qtr_policy_play(policy, &joint, seeker, &now, NULL);
+      digest = add(digest, seeker, choice, now);
+    }
+  }
+  return digest;
+}
+#endif
+
+uint32_t qtr_policy_digest(const qtr_policy *policy) {
+#if QTR_READ_FORMAT_1
+  if (policy->format == 1) return digest_of_routes(policy);
+#endif
+  return digest_of_game(policy);
+}

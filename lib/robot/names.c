@@ -1,0 +1,55 @@
+#include "quarter/names.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+#include "core/bytes.h"
+#include "core/crc.h"
+#include "quarter/status.h"
+
+/* "QTRH", u16 version, u16 0, u32 bytes in all, u32 CRC-32 of the entries; then entries: u16 what, u16 length, as many
+ * bytes. Entries of a later version are passed over. */
+enum { MAGIC = 4, VERSION = 1, SIZE_AT = 8, CRC_AT = 12, HEAD = 16, ENTRY = 4, MISSION_NAME = 1 };
+
+uint32_t qtr_names_size(const char *mission) {
+  uint32_t length = 0;
+  while (length < QTR_NAME_BYTES && mission[length] != '\0') length++;
+  return length == 0 || length >= QTR_NAME_BYTES ? 0 : HEAD + ENTRY + length;
+}
+
+void qtr_names_write(uint8_t *bytes, const char *mission) {
+  const uint32_t size = qtr_names_size(mission);
+  if (size == 0) return;
+  memset(bytes, 0, HEAD);
+  memcpy(bytes, "QTRH", MAGIC);
+  store16_le(bytes + MAGIC, VERSION);
+  store32_le(bytes + SIZE_AT, size);
+  store16_le(bytes + HEAD, MISSION_NAME);
+  store16_le(bytes + HEAD + 2, size - HEAD - ENTRY);
+  memcpy(bytes + HEAD + ENTRY, mission, size - HEAD - ENTRY);
+  store32_le(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
+}
+
+static bool is_whole(const uint8_t *bytes, uint32_t size) {
+  return size >= HEAD && memcmp(bytes, "QTRH", MAGIC) == 0 && load32_le(bytes + SIZE_AT) == size &&
+         load32_le(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD);
+}
+
+static void take(char *mission, uint32_t what, const uint8_t *text, uint32_t length) {
+  if (what != MISSION_NAME || length >= QTR_NAME_BYTES) return;
+  memcpy(mission, text, length);
+  mission[length] = '\0';
+}
+
+int qtr_names_read(char *mission, const uint8_t *bytes, uint32_t size) {
+  mission[0] = '\0';
+  if (size == 0) return QTR_OK;
+  if (!is_whole(bytes, size)) return QTR_ERR_CORRUPT;
+  for (uint32_t at = HEAD; at < size;) {
+    if (size - at < ENTRY || load16_le(bytes + at + 2) > size - at - ENTRY) return QTR_ERR_CORRUPT;
+    const uint32_t length = load16_le(bytes + at + 2);
+    take(mission, load16_le(bytes + at), bytes + at + ENTRY, length);
+    at += ENTRY + length;
+  }
+  return QTR_OK;
+}
