@@ -41,10 +41,10 @@ static qtr_steps *measure(problem *p) {
   const unsigned seekers = mission->seekers;
   qtr_steps *steps = malloc(sizeof *steps * (seekers + places) * places);
   for (unsigned to = 0; steps != NULL && to < places; to++) {
-    qtr_field_fill(&p->field, &grid, mission->place[to]);
-    for (unsigned i = 0; i < seekers; i++) steps[i * places + to] = p->field.to_go[mission->start[i]];
+    qtr_travel_fill(&p->travel, &grid, mission->place[to]);
+    for (unsigned i = 0; i < seekers; i++) steps[i * places + to] = p->travel.to_go[mission->start[i]];
     for (unsigned from = 0; from < places; from++)
-      steps[(seekers + from) * places + to] = p->field.to_go[mission->place[from]];
+      steps[(seekers + from) * places + to] = p->travel.to_go[mission->place[from]];
   }
   return steps;
 }

@@ -6,6 +6,7 @@
 
 #include "host/base/json.h"
 #include "host/base/outfile.h"
+#include "quarter/field.h"
 #include "viewer_page.h"
 
 #define TURN 6.283185307179586

@@ -9,7 +9,7 @@
 
 #include "demo_limits.h"
 #include "ground.h"
-#include "quarter/travel.h"
+#include "quarter/field.h"
 
 #define DRIVER_SPEED 1.0 /* cells a second where the ground is good */
 

@@ -6,7 +6,7 @@
  * representatives and after them the mission's own. The mission's own games come first, and in a state that several games
  * meet theirs decide, so that the certificate in the table is what they earn.
  *
- *   qtr_any_start_init(&any, &asked, &blocks, &field);
+ *   qtr_any_start_init(&any, &asked, &blocks, &travel);
  *   while (qtr_any_start_next(&any)) {
  *     // learn qtr_any_start_rest(), or take what is known of the mission itself: any.is_whole
  *     qtr_any_start_add(&any, &routes);
@@ -70,11 +70,12 @@ typedef struct {
 /* QTR_OK, or QTR_ERR_LIMIT for more regions than a table can tell starts of. */
 int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked);
 
-/* Measure the board. `field` is scratch. QTR_OK, QTR_ERR_STOPPED by the mission's watch, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if
+/* Measure the board. `travel` is scratch. QTR_OK, QTR_ERR_STOPPED by the mission's watch, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if
  * the caller was built under other sizes. */
-#define qtr_any_start_init(any, asked, blocks, field) qtr_any_start_init_built(any, asked, blocks, field, QTR_CONFIG_ID)
+#define qtr_any_start_init(any, asked, blocks, travel)                                                                 \
+  qtr_any_start_init_built(any, asked, blocks, travel, QTR_CONFIG_ID)
 int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *asked, const qtr_any_start_blocks *blocks,
-                             qtr_field *field, uint32_t config_id);
+                             qtr_travel *travel, uint32_t config_id);
 
 /* Ways to put the seekers into the regions; games to learn; bytes of records that they will take, about. */
 double qtr_any_start_count_crews(const qtr_any_start *any);

@@ -52,15 +52,15 @@ size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how);
   (QTR_ENVIRONMENT_BYTES + (size_t)QTR_MAX_PLACES * (sizeof(qtr_steps) * QTR_MAX_REGIONS + (QTR_MAX_CELLS + 3) / 4))
 
 /* Set an environment up over a game, in a block of so many bytes, aligned as for a uint64_t. `how` NULL: no aggregation, and
- * the rule is the mission's. `field` is scratch. Game, regions and block must outlive it. QTR_OK, and then alone
+ * the rule is the mission's. `travel` is scratch. Game, regions and block must outlive it. QTR_OK, and then alone
  * `*environment` is set; QTR_ERR_SPACE for a block of fewer bytes than qtr_environment_bytes(), QTR_ERR_ARGUMENT for one that
  * is not aligned; an error of qtr_aggregation_check() or qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way;
  * QTR_ERR_CONFIG if the caller was built under other sizes; QTR_ERR_STOPPED by the mission's watch, never without
  * aggregation. */
-#define qtr_environment_init(environment, block, bytes, game, how, field)                                              \
-  qtr_environment_init_built(environment, block, bytes, game, how, field, QTR_CONFIG_ID)
+#define qtr_environment_init(environment, block, bytes, game, how, travel)                                             \
+  qtr_environment_init_built(environment, block, bytes, game, how, travel, QTR_CONFIG_ID)
 int qtr_environment_init_built(qtr_environment **environment, void *block, size_t bytes, const qtr_game *game,
-                               const qtr_aggregation *how, qtr_field *field, uint32_t config_id);
+                               const qtr_aggregation *how, qtr_travel *travel, uint32_t config_id);
 
 /* How many targets there are to choose from: places, or spots. */
 unsigned qtr_environment_targets(const qtr_environment *environment);

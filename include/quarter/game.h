@@ -32,12 +32,13 @@ typedef struct {
   double unvisited; /* probability of the places left */
 } qtr_state;
 
-/* Solve the elemental tasks of a checked mission and set the game up. `field` is scratch. The mission must outlive the
+/* Solve the elemental tasks of a checked mission and set the game up. `travel` is scratch. The mission must outlive the
  * game. QTR_OK, QTR_ERR_LIMIT, QTR_ERR_UNREACHABLE with the first such place in `*culprit` (may be NULL),
  * QTR_ERR_DISCOUNT with the nearest place in it, QTR_ERR_CONFIG if the caller was built under other sizes, or
  * QTR_ERR_STOPPED by the mission's watch, which is asked after each place: the game is of no use then. */
-#define qtr_game_init(game, mission, field, culprit) qtr_game_init_built(game, mission, field, culprit, QTR_CONFIG_ID)
-int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit, uint32_t config_id);
+#define qtr_game_init(game, mission, travel, culprit) qtr_game_init_built(game, mission, travel, culprit, QTR_CONFIG_ID)
+int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_travel *travel, int *culprit,
+                        uint32_t config_id);
 
 /* The cell of one of the board's starts. */
 static inline qtr_cell qtr_game_start_cell(const qtr_game *game, unsigned start) {

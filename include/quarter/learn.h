@@ -18,6 +18,7 @@
 #include "quarter/robot.h"
 #include "quarter/spots.h"
 #include "quarter/start_trials.h"
+#include "quarter/travel.h"
 #include "quarter/watch.h"
 #include "quarter/writer.h"
 

@@ -15,6 +15,6 @@ void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole
 
 /* Set its game up. From cells, or with places left, that are so far apart that discounting tells nothing any more, it is
  * played for expected time instead, and the rest says so. As qtr_game_init() otherwise. */
-int qtr_rest_game(qtr_game *game, qtr_mission *rest, qtr_field *field);
+int qtr_rest_game(qtr_game *game, qtr_mission *rest, qtr_travel *travel);
 
 #endif

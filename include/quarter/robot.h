@@ -8,6 +8,7 @@
 #include "quarter/deployment.h"
 #include "quarter/digest.h"
 #include "quarter/division.h"
+#include "quarter/field.h"
 #include "quarter/grid.h"
 #include "quarter/joint.h"
 #include "quarter/key.h"
@@ -18,6 +19,5 @@
 #include "quarter/seeker.h"
 #include "quarter/signal.h"
 #include "quarter/status.h"
-#include "quarter/travel.h"
 
 #endif

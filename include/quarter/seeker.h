@@ -25,10 +25,10 @@
 #include "quarter/config.h"
 #include "quarter/deployment.h"
 #include "quarter/division.h"
+#include "quarter/field.h"
 #include "quarter/places.h"
 #include "quarter/policy.h"
 #include "quarter/signal.h"
-#include "quarter/travel.h"
 
 /* One bit for each seeker. */
 typedef struct {

@@ -1,4 +1,5 @@
-/* The elemental tasks (paper, section 4.1): shortest travel times on the grid and the next step towards a cell.
+/* The elemental tasks (paper, section 4.1): shortest travel times on the grid and the next step towards a cell. A robot needs
+ * the step alone, and has quarter/field.h.
  *
  * Travel time counts what entering each cell on the way costs, the target included, the start not. With terrain it is
  * not symmetric.
@@ -15,17 +16,17 @@ typedef struct {
   qtr_steps to_go[QTR_MAX_CELLS]; /* QTR_NEVER where the target cannot be reached */
   qtr_cell link[QTR_MAX_CELLS];   /* scratch: cells waiting in the same ring entry */
   qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: cells by the time at which they are settled */
-} qtr_field;
+} qtr_travel;
 
-/* Fill `field` with the travel times to `target`. Dijkstra's algorithm over a ring of time buckets (Dial 1969): time and
+/* Fill `travel` with the travel times to `target`. Dijkstra's algorithm over a ring of time buckets (Dial 1969): time and
  * memory linear in the cells. QTR_OK; QTR_ERR_ARGUMENT for a target that is blocked or outside, which is then in reach of
  * no cell; QTR_ERR_LIMIT for a grid of more cells than the build holds, QTR_ERR_CONFIG if the caller was built under other
  * sizes, both with nothing filled. */
-#define qtr_field_fill(field, grid, target) qtr_field_fill_built(field, grid, target, QTR_CONFIG_ID)
-int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target, uint32_t config_id);
+#define qtr_travel_fill(travel, grid, target) qtr_travel_fill_built(travel, grid, target, QTR_CONFIG_ID)
+int qtr_travel_fill_built(qtr_travel *travel, const qtr_grid *grid, qtr_cell target, uint32_t config_id);
 
-/* The cell to enter next on a shortest path from `cell` to the field's target: the first in the order N, E, S, W.
+/* The cell to enter next on a shortest path from `cell` to the travel's target: the first in the order N, E, S, W.
  * `cell` itself at the target; QTR_NO_CELL where the target cannot be reached, and for a cell outside the grid. */
-qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell);
+qtr_cell qtr_travel_next(const qtr_travel *travel, const qtr_grid *grid, qtr_cell cell);
 
 #endif

@@ -106,9 +106,9 @@ static int make_targets(qtr_environment *e, const qtr_aggregation *how) {
 }
 
 /* What sight by regions needs stands behind the environment itself. */
-static int make_sight(qtr_environment *e, const qtr_aggregation *how, qtr_field *field) {
+static int make_sight(qtr_environment *e, const qtr_aggregation *how, qtr_travel *travel) {
   if (how != NULL && how->regions != NULL)
-    return qtr_sight_by_regions(&e->sight, e + 1, e->game, how->regions, how->region_times, field);
+    return qtr_sight_by_regions(&e->sight, e + 1, e->game, how->regions, how->region_times, travel);
   qtr_sight_exact(&e->sight, e->game);
   return QTR_OK;
 }
@@ -122,7 +122,7 @@ size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how) {
 }
 
 int qtr_environment_init_built(qtr_environment **environment, void *block, size_t bytes, const qtr_game *game,
-                               const qtr_aggregation *how, qtr_field *field, uint32_t config_id) {
+                               const qtr_aggregation *how, qtr_travel *travel, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   int status = how != NULL ? qtr_aggregation_check(how) : QTR_OK;
   if (status == QTR_OK) status = block_check(block, bytes, qtr_environment_bytes(game, how));
@@ -131,7 +131,7 @@ int qtr_environment_init_built(qtr_environment **environment, void *block, size_
   e->game = game;
   status = make_targets(e, how);
   if (status == QTR_OK) status = make_board(e, how != NULL ? how->rule : game->board.rule);
-  if (status == QTR_OK) status = make_sight(e, how, field);
+  if (status == QTR_OK) status = make_sight(e, how, travel);
   if (status != QTR_OK) return status;
   shape_keys(e);
   *environment = e;

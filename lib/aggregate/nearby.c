@@ -1,7 +1,7 @@
 #include "aggregate/nearby.h"
 
 #include "core/block.h"
-#include "core/ring.h"
+#include "model/ring.h"
 
 static bool is_free(const qtr_grid *grid, uint32_t cell) {
   return cell < qtr_grid_cells(grid) && qtr_grid_cost(grid, (qtr_cell)cell) > 0;

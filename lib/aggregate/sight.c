@@ -13,12 +13,12 @@ void qtr_sight_exact(qtr_sight *sight, const qtr_game *game) {
 /* ---- ways and times ---- */
 
 /* The true way, by which seekers go on unseen: a direction a cell, in two bits where a time takes 32. */
-static void note_way(qtr_sight *sight, const qtr_grid *grid, const qtr_field *field, unsigned place) {
+static void note_way(qtr_sight *sight, const qtr_grid *grid, const qtr_travel *travel, unsigned place) {
   const uint32_t cells = qtr_grid_cells(grid);
   uint8_t *way = sight->way + (size_t)place * sight->way_bytes;
   memset(way, 0, sight->way_bytes);
   for (uint32_t cell = 0; cell < cells; cell++) {
-    const qtr_cell next = qtr_field_next(field, grid, (qtr_cell)cell);
+    const qtr_cell next = qtr_travel_next(travel, grid, (qtr_cell)cell);
     if (qtr_grid_cost(grid, (qtr_cell)cell) == 0 || next == QTR_NO_CELL) continue;
     for (unsigned direction = QTR_NORTH; direction <= QTR_WEST; direction++)
       if (qtr_grid_neighbour(grid, (qtr_cell)cell, (enum qtr_direction)direction) == next)
@@ -35,7 +35,7 @@ size_t qtr_sight_bytes(const qtr_game *game, uint32_t regions) {
 }
 
 int qtr_sight_by_regions(qtr_sight *sight, void *block, const qtr_game *game, const qtr_regions *regions, uint8_t times,
-                         qtr_field *field) {
+                         qtr_travel *travel) {
   const qtr_grid grid = qtr_mission_grid(game->mission);
   const unsigned places = game->board.places;
   sight->game = game;
@@ -46,10 +46,10 @@ int qtr_sight_by_regions(qtr_sight *sight, void *block, const qtr_game *game, co
   sight->way_bytes = way_bytes(game);
   for (unsigned place = 0; place < places; place++) {
     if (!qtr_watch_go_on(&game->mission->watch)) return QTR_ERR_STOPPED;
-    qtr_field_fill(field, &grid, game->mission->place[place]);
-    note_way(sight, &grid, field, place);
+    qtr_travel_fill(travel, &grid, game->mission->place[place]);
+    note_way(sight, &grid, travel, place);
     for (uint32_t region = 0; region < regions->count; region++)
-      sight->estimate[(size_t)region * places + place] = field->to_go[regions->representative[region]];
+      sight->estimate[(size_t)region * places + place] = travel->to_go[regions->representative[region]];
   }
   return QTR_OK;
 }

@@ -39,9 +39,9 @@ void qtr_sight_exact(qtr_sight *sight, const qtr_game *game);
 size_t qtr_sight_bytes(const qtr_game *game, uint32_t regions);
 
 /* Sight by regions, which must outlive it, as must the block, aligned for qtr_steps; `times` is an enum qtr_region_times,
- * `field` is scratch. QTR_OK, or QTR_ERR_STOPPED by the mission's watch: the sight is of no use then. */
+ * `travel` is scratch. QTR_OK, or QTR_ERR_STOPPED by the mission's watch: the sight is of no use then. */
 int qtr_sight_by_regions(qtr_sight *sight, void *block, const qtr_game *game, const qtr_regions *regions, uint8_t times,
-                         qtr_field *field);
+                         qtr_travel *travel);
 
 /* Whether seekers are seen exactly. Only then are travel times bounds, and each place of a spot counts when it is visited
  * rather than with the spot. */

@@ -24,11 +24,11 @@ static void find_starts(qtr_game *game) {
 
 /* The elemental tasks (section 4.1): the composite task, which is what is learnt, sees of the map these times alone. False:
  * stopped. */
-static bool measure_travel(qtr_game *game, qtr_field *field) {
+static bool measure_travel(qtr_game *game, qtr_travel *travel) {
   qtr_cell start[QTR_MAX_SEEKERS];
   for (unsigned i = 0; i < game->board.starts; i++) start[i] = qtr_game_start_cell(game, i);
   game->used = (qtr_box){0, 0, 0, 0};
-  game->measured = qtr_matrix_fill(game->steps, game->mission, start, game->board.starts, field, &game->used);
+  game->measured = qtr_matrix_fill(game->steps, game->mission, start, game->board.starts, travel, &game->used);
   return game->measured == game->mission->places;
 }
 
@@ -83,7 +83,7 @@ static int check_discount(const qtr_game *game, int *culprit) {
   return QTR_ERR_DISCOUNT;
 }
 
-int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *field, int *culprit,
+int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_travel *travel, int *culprit,
                         uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   game->mission = mission;
@@ -93,7 +93,7 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_field *f
   game->board.step_bytes = 4;
   game->board.steps = game->steps;
   find_starts(game);
-  if (!measure_travel(game, field)) return QTR_ERR_STOPPED;
+  if (!measure_travel(game, travel)) return QTR_ERR_STOPPED;
   set_probabilities(game);
   qtr_objective_init(&game->objective, &mission->aim);
   for (unsigned place = 0; place < mission->places; place++) {

@@ -43,7 +43,7 @@ static void set_regions(qtr_any_start *any) {
 }
 
 int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *asked, const qtr_any_start_blocks *blocks,
-                             qtr_field *field, uint32_t config_id) {
+                             qtr_travel *travel, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   const qtr_mission *mission = asked->game->mission;
   qtr_any_start_sizes sizes;
@@ -58,7 +58,7 @@ int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *aske
   any->board.steps = blocks->steps;
   set_starts(any);
   set_regions(any);
-  const uint16_t done = qtr_matrix_fill(blocks->steps, mission, blocks->start, sizes.starts, field, NULL);
+  const uint16_t done = qtr_matrix_fill(blocks->steps, mission, blocks->start, sizes.starts, travel, NULL);
   return done < mission->places ? QTR_ERR_STOPPED : qtr_board_init(&any->board);
 }
 

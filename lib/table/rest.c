@@ -19,9 +19,9 @@ void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole
   memcpy(rest->start, start, whole->seekers * sizeof *start);
 }
 
-int qtr_rest_game(qtr_game *game, qtr_mission *rest, qtr_field *field) {
-  const int status = qtr_game_init(game, rest, field, NULL);
+int qtr_rest_game(qtr_game *game, qtr_mission *rest, qtr_travel *travel) {
+  const int status = qtr_game_init(game, rest, travel, NULL);
   if (status != QTR_ERR_DISCOUNT) return status;
   qtr_aim_undiscount(&rest->aim);
-  return qtr_game_init(game, rest, field, NULL);
+  return qtr_game_init(game, rest, travel, NULL);
 }

@@ -38,8 +38,8 @@ void tearDown(void) {
 static bool learn_rest(void) {
   qtr_learner_config config;
   qtr_learner_config_default(&config);
-  if (qtr_rest_game(&table_game, &table_mission, &table_field) != QTR_OK) return false;
-  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&table_ground, &table_game, &table_field));
+  if (qtr_rest_game(&table_game, &table_mission, &table_travel) != QTR_OK) return false;
+  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&table_ground, &table_game, &table_travel));
   TEST_ASSERT_EQUAL_INT(QTR_OK, learner_init(&table_learner, table_ground, NULL, &config));
   while (qtr_learner_step(table_learner) == QTR_LEARNING) {}
   return true;
@@ -54,7 +54,7 @@ static void learn_own(void) {
   TEST_ASSERT_TRUE(learn_rest());
   take_routes(&own_routes);
   qtr_learner_certificate(table_learner, &own_certificate);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&game, &mission, &table_field, NULL));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&game, &mission, &table_travel, NULL));
 }
 
 /* Regions of at most `most` cells; 0: none. */
@@ -77,7 +77,7 @@ static void begin(unsigned most, bool any_cleared, size_t room) {
   TEST_ASSERT_LESS_OR_EQUAL(sizeof steps, sizes.steps);
   TEST_ASSERT_LESS_OR_EQUAL(sizeof start, sizes.start);
   TEST_ASSERT_LESS_OR_EQUAL(sizeof region, sizes.region);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_any_start_init(&any, &asked, &blocks, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_any_start_init(&any, &asked, &blocks, &table_travel));
 }
 
 /* The routes of the game under way; false if it cannot be played. */
@@ -196,10 +196,10 @@ static void test_rest_too_far_away_to_discount_is_played_for_time(void) {
   mission.aim.gamma = 1e-6;
   table_mission = mission;
   qtr_rest_make(&table_mission, number, &mission, &far, NULL);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_rest_game(&table_game, &table_mission, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_rest_game(&table_game, &table_mission, &table_travel));
   TEST_ASSERT_EQUAL_UINT8(QTR_TIME, table_mission.aim.kind);
   qtr_rest_make(&table_mission, number, &mission, &near, NULL);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_rest_game(&table_game, &table_mission, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_rest_game(&table_game, &table_mission, &table_travel));
   TEST_ASSERT_EQUAL_UINT8(QTR_DISCOUNTED, table_mission.aim.kind);
 }
 

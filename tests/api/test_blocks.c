@@ -53,12 +53,12 @@ static void test_environment_stays_in_its_block(void) {
     qtr_environment *made = NULL;
     TEST_ASSERT_LESS_OR_EQUAL(i == 0 ? QTR_ENVIRONMENT_BYTES : QTR_ENVIRONMENT_REGIONS_BYTES, bytes);
     TEST_ASSERT_EQUAL_INT(QTR_ERR_SPACE,
-                          qtr_environment_init(&made, block, bytes - 1, &table_game, hows[i], &table_field));
-    TEST_ASSERT_EQUAL_INT(QTR_ERR_SPACE, qtr_environment_init(&made, NULL, bytes, &table_game, hows[i], &table_field));
+                          qtr_environment_init(&made, block, bytes - 1, &table_game, hows[i], &table_travel));
+    TEST_ASSERT_EQUAL_INT(QTR_ERR_SPACE, qtr_environment_init(&made, NULL, bytes, &table_game, hows[i], &table_travel));
     TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT,
-                          qtr_environment_init(&made, block + 4, bytes, &table_game, hows[i], &table_field));
+                          qtr_environment_init(&made, block + 4, bytes, &table_game, hows[i], &table_travel));
     TEST_ASSERT_NULL(made);
-    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&made, block, bytes, &table_game, hows[i], &table_field));
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&made, block, bytes, &table_game, hows[i], &table_travel));
     TEST_ASSERT_NOT_NULL(made);
     give_back(block, bytes);
   }

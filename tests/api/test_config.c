@@ -2,12 +2,15 @@
 /* Callers built under other array sizes are refused wherever a structure is set up, before anything is written. */
 #include <string.h>
 
+#include "quarter/field.h"
 #include "quarter/learn.h"
 #include "quarter/robot.h"
 #include "support/settings.h"
 #include "support/tables.h"
 
 #define FOREIGN (QTR_CONFIG_ID + 1u)
+
+static qtr_field table_field;
 
 void setUp(void) {
 }
@@ -67,7 +70,7 @@ static void test_learner_side_refuses_callers_of_other_sizes(void) {
   expect_refused(qtr_regions_build_built(&regions, &grid, &sizes, regions_scratch, sizeof regions_scratch, FOREIGN),
                  &regions, sizeof regions);
   memset(&any, 0xA5, sizeof any);
-  expect_refused(qtr_any_start_init_built(&any, &asked, &blocks, &table_field, FOREIGN), &any, sizeof any);
+  expect_refused(qtr_any_start_init_built(&any, &asked, &blocks, &table_travel, FOREIGN), &any, sizeof any);
   memset(&trials, 0xA5, sizeof trials);
   expect_refused(qtr_start_trials_begin_built(&trials, 1, FOREIGN), &trials, sizeof trials);
   memset(&belief, 0xA5, sizeof belief);
@@ -87,10 +90,10 @@ static void test_learner_refuses_callers_of_other_sizes(void) {
   void *block = learning_memory.ground;
   memset(block, 0xA5, some);
   expect_refused(qtr_environment_init_built(&table_ground, block, sizeof learning_memory.ground, &table_game, NULL,
-                                            &table_field, FOREIGN),
+                                            &table_travel, FOREIGN),
                  block, some);
   memset(&table_game, 0xA5, some);
-  expect_refused(qtr_game_init_built(&table_game, &table_mission, &table_field, NULL, FOREIGN), &table_game, some);
+  expect_refused(qtr_game_init_built(&table_game, &table_mission, &table_travel, NULL, FOREIGN), &table_game, some);
   memset(&table_mission, 0xA5, sizeof table_mission);
   expect_refused(qtr_mission_default_built(&table_mission, FOREIGN), &table_mission, sizeof table_mission);
 }

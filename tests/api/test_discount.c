@@ -13,7 +13,7 @@
 enum { LONGEST = QTR_MAX_CELLS < 4000 ? QTR_MAX_CELLS : 4000 };
 
 static qtr_mission mission;
-static qtr_field field;
+static qtr_travel travel;
 static qtr_game game;
 static qtr_environment *ground;
 static qtr_learner *learner;
@@ -79,8 +79,8 @@ static long nearest_way(void) {
 
 static int begin(void) {
   int status = qtr_mission_check(&mission, NULL);
-  if (status == QTR_OK) status = qtr_game_init(&game, &mission, &field, NULL);
-  if (status == QTR_OK) status = ground_init(&ground, &game, &field);
+  if (status == QTR_OK) status = qtr_game_init(&game, &mission, &travel, NULL);
+  if (status == QTR_OK) status = ground_init(&ground, &game, &travel);
   return status == QTR_OK ? learner_init(&learner, ground, NULL, &config) : status;
 }
 
@@ -160,7 +160,7 @@ static void test_refusal_names_the_nearest_place(void) {
   put_place(500, 1);
   mission.seekers = 1;
   mission.aim.gamma = 0.5;
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_DISCOUNT, qtr_game_init(&game, &mission, &field, &culprit));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_DISCOUNT, qtr_game_init(&game, &mission, &travel, &culprit));
   TEST_ASSERT_EQUAL_INT(1, culprit);
 }
 

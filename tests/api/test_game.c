@@ -10,7 +10,7 @@
 #include "unity.h"
 
 static qtr_mission mission;
-static qtr_field field;
+static qtr_travel travel;
 static qtr_game game;
 static qtr_state state;
 static qtr_outcome outcome;
@@ -26,7 +26,7 @@ void tearDown(void) {
 static void set_up(void) {
   int culprit;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&mission, &culprit), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &field, &culprit), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, &culprit), case_note);
   qtr_game_start(&game, &state);
 }
 
@@ -77,12 +77,12 @@ static void test_travel_times_are_those_of_the_map(void) {
 static void test_place_out_of_everyones_reach_is_named(void) {
   int culprit = -1;
   mission_draw(&mission, "1S.#3#S2");
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_UNREACHABLE, qtr_game_init(&game, &mission, &field, &culprit));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_UNREACHABLE, qtr_game_init(&game, &mission, &travel, &culprit));
   TEST_ASSERT_EQUAL_INT(1, culprit);
   TEST_ASSERT_FALSE(qtr_game_reachable(&game, 1));
   TEST_ASSERT_TRUE(qtr_game_reachable(&game, 0));
   TEST_ASSERT_TRUE(qtr_game_reachable(&game, 2));
-  TEST_ASSERT_EQUAL_INT(QTR_ERR_UNREACHABLE, qtr_game_init(&game, &mission, &field, NULL));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_UNREACHABLE, qtr_game_init(&game, &mission, &travel, NULL));
 }
 
 /* ---- rewards by hand ---- */

@@ -63,12 +63,33 @@ static void test_target_that_cannot_be_entered_is_in_reach_of_nothing(void) {
     open_random("targets", number, &random);
     const qtr_cell target = (qtr_cell)any_number(&random, qtr_grid_cells(&policy.grid));
     const bool is_free = !is_outside(&policy.grid, target) && qtr_grid_cost(&policy.grid, target) > 0;
-    memset(&table_field, 0, sizeof table_field.to_go[0] * qtr_grid_cells(&policy.grid));
+    memset(&table_field, 0, sizeof table_field);
     TEST_ASSERT_EQUAL_INT_MESSAGE(is_free ? QTR_OK : QTR_ERR_ARGUMENT,
                                   qtr_field_fill(&table_field, &policy.grid, target), case_note);
     for (unsigned cell = 0; cell < qtr_grid_cells(&policy.grid) && !is_free; cell++)
       TEST_ASSERT_EQUAL_UINT32_MESSAGE(QTR_NO_CELL, qtr_field_next(&table_field, &policy.grid, (qtr_cell)cell),
                                        case_note);
+  }
+}
+
+/* In parts of any size, the next step from a cell is none or the one that the whole search gives. */
+static void test_field_in_parts_is_the_whole(void) {
+  static qtr_field whole;
+  for (unsigned number = 0; number < 120; number++) {
+    test_random random;
+    open_random("parts", number, &random);
+    const qtr_cell target = qtr_policy_cell(&policy, random_below(&random, policy.board.places));
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_field_fill(&whole, &policy.grid, target));
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_field_begin(&table_field, &policy.grid, target));
+    for (bool more = true; more;) {
+      more = qtr_field_work(&table_field, &policy.grid, random_in(&random, 1, 40));
+      for (unsigned cell = 0; cell < qtr_grid_cells(&policy.grid); cell++) {
+        const qtr_cell next = qtr_field_next(&table_field, &policy.grid, (qtr_cell)cell);
+        const qtr_cell wanted = qtr_field_next(&whole, &policy.grid, (qtr_cell)cell);
+        TEST_ASSERT_TRUE_MESSAGE(next == wanted || (more && next == QTR_NO_CELL), case_note);
+      }
+    }
+    TEST_ASSERT_FALSE(qtr_field_work(&table_field, &policy.grid, 1));
   }
 }
 
@@ -361,7 +382,7 @@ static void expect_all_called(const char *header, const char *calls) {
 }
 
 static void test_every_public_function_of_the_robot_side_is_called_here(void) {
-  static const char *const headers[] = {"places.h", "grid.h",   "travel.h",     "key.h",     "board.h",  "joint.h",
+  static const char *const headers[] = {"places.h", "grid.h",   "field.h",      "key.h",     "board.h",  "joint.h",
                                         "policy.h", "claim.h",  "deployment.h", "nominal.h", "digest.h", "division.h",
                                         "names.h",  "signal.h", "seeker.h",     "status.h"};
   static const char *const files[] = {"api/test_ranges.c", "inside/test_ranges_executor.c", "support/ranges.h"};
@@ -386,6 +407,7 @@ int main(void) {
   RUN_TEST(test_set_holds_the_places_of_the_build_and_no_others);
   RUN_TEST(test_cell_outside_is_blocked_and_leads_nowhere);
   RUN_TEST(test_target_that_cannot_be_entered_is_in_reach_of_nothing);
+  RUN_TEST(test_field_in_parts_is_the_whole);
   RUN_TEST(test_grid_larger_than_the_build_is_not_searched);
   RUN_TEST(test_grid_of_no_cells_has_none);
   RUN_TEST(test_size_of_a_grid_does_not_overflow);

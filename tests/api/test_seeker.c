@@ -10,6 +10,7 @@ enum { MOST_SEEKERS = 4 };
 
 static qtr_policy policy[MOST_SEEKERS]; /* each robot opens the bytes itself */
 static qtr_seeker seeker[MOST_SEEKERS];
+static qtr_field table_field;
 
 /* What a robot did: the places it visited, in order, and the territory and pass in which it did. */
 typedef struct {

@@ -48,7 +48,7 @@ static void expect_valid(void) {
 static bool make_spots(void) {
   const qtr_spots_config spots = spot_limits(4, 6, 0.0);
   const qtr_aggregation how = aggregation_of(&spots, NULL);
-  const int status = aggregate_init(&aggregate, &table_game, &how, &table_field);
+  const int status = aggregate_init(&aggregate, &table_game, &how, &table_travel);
   if (status == QTR_OK) return true;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_ERR_STOPPED, status, case_note);
   TEST_ASSERT_TRUE_MESSAGE(asked > allowed, case_note);
@@ -60,12 +60,12 @@ static bool run(bool spots, uint8_t setting) {
   qtr_learner_config config;
   qtr_learner_config_default(&config);
   config.setting = setting;
-  const int status = qtr_game_init(&table_game, &table_mission, &table_field, NULL);
+  const int status = qtr_game_init(&table_game, &table_mission, &table_travel, NULL);
   if (status == QTR_ERR_STOPPED) TEST_ASSERT_LESS_THAN_MESSAGE(table_mission.places, table_game.measured, case_note);
   if (status == QTR_ERR_STOPPED) return false;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, status, case_note);
   const qtr_environment *on = spots && make_spots() ? aggregate : NULL;
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&table_ground, &table_game, &table_field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&table_ground, &table_game, &table_travel), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, learner_init(&table_learner, table_ground, on, &config), case_note);
   const int most = setting == QTR_SETTING_PAPER ? 30 : 2000;
   for (int steps = 0; steps < most && asked <= allowed && qtr_learner_step(table_learner) == QTR_LEARNING; steps++) {}

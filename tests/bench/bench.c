@@ -16,7 +16,7 @@
 
 static qtr_mission mission;
 static qtr_game game;
-static qtr_field field;
+static qtr_travel travel;
 static qtr_learner_memory memory;
 static qtr_environment *ground;
 static qtr_learner *learner;
@@ -28,7 +28,7 @@ static void begin_learner(void) {
   const qtr_learner_blocks blocks = QTR_LEARNER_BLOCKS(memory);
   qtr_learner_config config;
   qtr_learner_config_default(&config);
-  qtr_environment_init(&ground, memory.ground, sizeof memory.ground, &game, NULL, &field);
+  qtr_environment_init(&ground, memory.ground, sizeof memory.ground, &game, NULL, &travel);
   qtr_learner_init(&learner, &blocks, ground, NULL, &config);
 }
 
@@ -41,7 +41,7 @@ typedef struct {
 static run learn(const qtr_mission *learnt, double limit) {
   const double begin = clock_seconds();
   run r;
-  qtr_game_init(&game, learnt, &field, NULL);
+  qtr_game_init(&game, learnt, &travel, NULL);
   begin_learner();
   while (qtr_learner_step(learner) == QTR_LEARNING && clock_seconds() - begin < limit) {}
   qtr_learner_certificate(learner, &r.certificate);
@@ -92,7 +92,7 @@ static void make_map(unsigned seed, int side, int places, int seekers, int objec
       mission.place[mission.places] = cell;
       mission.weight[mission.places++] = draw(3) == 0 ? 3.0 : 1.0;
     }
-  } while (qtr_game_init(&game, &mission, &field, NULL) != QTR_OK);
+  } while (qtr_game_init(&game, &mission, &travel, NULL) != QTR_OK);
 }
 
 static void bench_random(int side, int places, int seekers, int maps, double limit, const char *target) {
@@ -186,7 +186,7 @@ static void travel_large(void) {
     mission.weight[mission.places++] = 1.0;
   }
   const double begin = clock_seconds();
-  qtr_game_init(&game, &mission, &field, NULL);
+  qtr_game_init(&game, &mission, &travel, NULL);
   const double seconds = clock_seconds() - begin;
   struct rusage usage;
   getrusage(RUSAGE_SELF, &usage);

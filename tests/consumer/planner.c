@@ -2,7 +2,7 @@
 #include <quarter/learn.h>
 
 static qtr_mission mission;
-static qtr_field field;
+static qtr_travel travel;
 static qtr_game game;
 static qtr_learner_memory memory;
 
@@ -27,8 +27,8 @@ int main(void) {
   qtr_certificate certificate;
   qtr_learner_config_default(&config);
   make_mission();
-  if (qtr_mission_check(&mission, 0) != QTR_OK || qtr_game_init(&game, &mission, &field, 0) != QTR_OK) return 1;
-  if (qtr_environment_init(&ground, memory.ground, sizeof memory.ground, &game, 0, &field) != QTR_OK) return 1;
+  if (qtr_mission_check(&mission, 0) != QTR_OK || qtr_game_init(&game, &mission, &travel, 0) != QTR_OK) return 1;
+  if (qtr_environment_init(&ground, memory.ground, sizeof memory.ground, &game, 0, &travel) != QTR_OK) return 1;
   if (qtr_learner_init(&learner, &blocks, ground, 0, &config) != QTR_OK) return 1;
   while (qtr_learner_step(learner) == QTR_LEARNING) {}
   qtr_learner_certificate(learner, &certificate);

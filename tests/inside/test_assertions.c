@@ -182,12 +182,12 @@ static void lay_out_more_cells_than_there_are(void) {
   qtr_layout_find(&layout, &dimensions);
 }
 
-static void follow_a_field_of_another_grid(void) {
+static void follow_times_of_another_grid(void) {
   static uint8_t cells[3] = {1, 1, 1};
   const qtr_grid grid = {3, 1, QTR_GRID_BYTES, cells};
-  qtr_field_fill(&table_field, &grid, 2);
+  qtr_travel_fill(&table_travel, &grid, 2);
   cells[2] = 7;
-  qtr_field_next(&table_field, &grid, 1);
+  qtr_travel_next(&table_travel, &grid, 1);
 }
 
 static void claim_what_no_robot_knows(void) {
@@ -203,7 +203,7 @@ static void test_open_policy(void) {
   expect_death("a place is chosen as often as the rule allows", choose_more_than_there_is);
   expect_death("sections have sizes of 32 bits", lay_out_more_than_32_bits);
   expect_death("and a grid that the build holds", lay_out_more_cells_than_there_are);
-  expect_death("a field is of its grid", follow_a_field_of_another_grid);
+  expect_death("travel times are of their grid", follow_times_of_another_grid);
   expect_death("an objective is one that robots know", claim_what_no_robot_knows);
 }
 
@@ -250,7 +250,7 @@ static void make_any_start(void) {
   static uint8_t entries[4096];
   const qtr_any_start_asked asked = {&table_game, NULL, true};
   const qtr_any_start_blocks blocks = {steps, start, NULL, entries, sizeof entries};
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_any_start_init(&any, &asked, &blocks, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_any_start_init(&any, &asked, &blocks, &table_travel));
   qtr_play_to_routes(&table_learner->best, &table_game, &routes);
 }
 

@@ -26,7 +26,7 @@ void setUp(void) {
   limits = region_limits(3, 5);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_regions_build(&regions, &grid, &limits, scratch, sizeof scratch));
   const qtr_aggregation how = aggregation_of(NULL, &regions);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, aggregate_init(&seen, &table_game, &how, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, aggregate_init(&seen, &table_game, &how, &table_travel));
 }
 
 void tearDown(void) {
@@ -73,7 +73,7 @@ static void test_objective(void) {
 
 static void weigh_without_end(void) {
   table_mission.weight[0] = HUGE_VAL;
-  qtr_game_init(&table_game, &table_mission, &table_field, NULL);
+  qtr_game_init(&table_game, &table_mission, &table_travel, NULL);
 }
 
 static void find_what_is_not_left(void) {

@@ -44,7 +44,7 @@ static void bound_estimates(void) {
   const qtr_aggregation how = aggregation_of(NULL, &regions);
   qtr_regions_default(&limits);
   qtr_regions_build(&regions, &grid, &limits, scratch, sizeof scratch);
-  aggregate_init(&seen, &table_game, &how, &table_field);
+  aggregate_init(&seen, &table_game, &how, &table_travel);
   begin_bound(seen);
 }
 
@@ -250,7 +250,7 @@ static void earn_more_than_q(void) {
   const qtr_aggregation how = aggregation_of(&spots, NULL);
   qtr_learner_config config;
   qtr_learner_config_default(&config);
-  aggregate_init(&seen, &table_game, &how, &table_field);
+  aggregate_init(&seen, &table_game, &how, &table_travel);
   learner_init(&table_learner, table_ground, seen, &config);
   learn(lower_the_first_q);
 }

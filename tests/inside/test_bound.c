@@ -11,7 +11,7 @@
 #include "unity.h"
 
 static qtr_mission mission;
-static qtr_field field;
+static qtr_travel travel;
 static qtr_game game;
 static qtr_environment *ground;
 static qtr_bound bound;
@@ -30,8 +30,8 @@ void tearDown(void) {
 
 static void set_up_game(void) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&mission, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &travel), case_note);
   brute_set_up(&brute, &mission);
 }
 

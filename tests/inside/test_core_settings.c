@@ -14,12 +14,12 @@ static qtr_mission mission;
 static qtr_game game;
 static qtr_environment *environment;
 static qtr_learner *learner;
-static qtr_field field;
+static qtr_travel travel;
 
 void setUp(void) {
   mission_draw(&mission, "S..1..2");
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&game, &mission, &field, NULL));
-  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&environment, &game, &field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&environment, &game, &travel));
 }
 
 void tearDown(void) {
@@ -94,7 +94,7 @@ static void test_spots(void) {
 
 static void expect_aggregation(int status, const qtr_aggregation *how) {
   TEST_ASSERT_EQUAL_INT(status, qtr_aggregation_check(how));
-  TEST_ASSERT_EQUAL_INT(status, aggregate_init(&environment, &game, how, &field));
+  TEST_ASSERT_EQUAL_INT(status, aggregate_init(&environment, &game, how, &travel));
 }
 
 static void test_aggregation(void) {

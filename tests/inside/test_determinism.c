@@ -23,7 +23,7 @@ static void dirty(uint8_t with) {
   memset(learning_memory.work, with, sizeof learning_memory.work);
   memset(learning_memory.table, with, 4096);
   memset(&table_game, with, sizeof table_game);
-  memset(&table_field, with, sizeof table_field);
+  memset(&table_travel, with, sizeof table_travel);
 }
 
 static void learn_and_export(unsigned steps, uint8_t with) {

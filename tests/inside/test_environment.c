@@ -15,7 +15,7 @@
 #include "unity.h"
 
 static qtr_mission mission;
-static qtr_field field;
+static qtr_travel travel;
 static qtr_game game;
 static qtr_environment *ground, *aggregate;
 static qtr_regions regions;
@@ -31,8 +31,8 @@ void tearDown(void) {
 }
 
 static void set_up_game(void) {
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &travel), case_note);
 }
 
 /* The rule that targets are chosen by is the mission's; the ground is played by the free one. */
@@ -42,7 +42,7 @@ static void set_up_aggregate(const qtr_spots_config *spots, uint8_t order, const
   how.spot_order = order;
   how.region_times = region_times;
   game.board.rule = QTR_RULE_FREE;
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, aggregate_init(&aggregate, &game, &how, &field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, aggregate_init(&aggregate, &game, &how, &travel), case_note);
 }
 
 static uint16_t random_choice(test_random *random, const qtr_joint *joint, const qtr_board *board, int seeker) {

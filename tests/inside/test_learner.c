@@ -13,7 +13,7 @@
 #include "unity.h"
 
 static qtr_mission mission;
-static qtr_field field;
+static qtr_travel travel;
 static qtr_game game;
 static qtr_environment *ground;
 static qtr_learner *learner;
@@ -30,8 +30,8 @@ void tearDown(void) {
 
 static void set_up_game(void) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&mission, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &travel), case_note);
 }
 
 static void begin(void) {
@@ -182,7 +182,7 @@ static void test_worth_that_underflows_leaves_the_certificate_true(void) {
     mission.aim.kind = QTR_DISCOUNTED;
     mission.aim.gamma = 0.01 + 0.6 * random_unit(&random);
     brute_set_up(&brute, &mission);
-    if (qtr_game_init(&game, &mission, &field, NULL) == QTR_ERR_DISCOUNT) continue;
+    if (qtr_game_init(&game, &mission, &travel, NULL) == QTR_ERR_DISCOUNT) continue;
     begin();
     if (random_chance(&random, 50)) weaken(&random);
     learn(&certificate);

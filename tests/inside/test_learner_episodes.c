@@ -32,8 +32,8 @@ static void set_up(const char *rows, uint8_t seekers) {
   mission_draw(&table_mission, rows);
   if (seekers > 0) mission_crew(&table_mission, seekers);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_mission_check(&table_mission, NULL));
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&table_game, &table_mission, &table_field, NULL));
-  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&table_ground, &table_game, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&table_game, &table_mission, &table_travel, NULL));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, ground_init(&table_ground, &table_game, &table_travel));
 }
 
 /* Episodes alone: the steps that tune prices go by without one. */
@@ -99,7 +99,7 @@ static void test_target_of_two_seekers_is_on_one_route(void) {
   qtr_aggregation how = aggregation_of(&spots, NULL);
   how.rule = QTR_RULE_PAPER;
   set_up("1.2..S", 2);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, aggregate_init(&aggregate, &table_game, &how, &table_field));
+  TEST_ASSERT_EQUAL_INT(QTR_OK, aggregate_init(&aggregate, &table_game, &how, &table_travel));
   TEST_ASSERT_EQUAL(1, aggregate->targets.count);
   begin(1, aggregate);
   play_episodes(3);

@@ -9,6 +9,8 @@
 static qtr_policy policy;
 static uint8_t copy[TABLE_MOST];
 
+static qtr_field table_field;
+
 void setUp(void) {
   snprintf(case_note, sizeof case_note, "by hand");
 }

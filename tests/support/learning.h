@@ -6,13 +6,14 @@
 
 static qtr_learner_memory learning_memory;
 
-static inline int ground_init(qtr_environment **ground, const qtr_game *game, qtr_field *field) {
-  return qtr_environment_init(ground, learning_memory.ground, sizeof learning_memory.ground, game, NULL, field);
+static inline int ground_init(qtr_environment **ground, const qtr_game *game, qtr_travel *travel) {
+  return qtr_environment_init(ground, learning_memory.ground, sizeof learning_memory.ground, game, NULL, travel);
 }
 
 static inline int aggregate_init(qtr_environment **aggregate, const qtr_game *game, const qtr_aggregation *how,
-                                 qtr_field *field) {
-  return qtr_environment_init(aggregate, learning_memory.aggregate, sizeof learning_memory.aggregate, game, how, field);
+                                 qtr_travel *travel) {
+  return qtr_environment_init(aggregate, learning_memory.aggregate, sizeof learning_memory.aggregate, game, how,
+                              travel);
 }
 
 static inline int learner_init(qtr_learner **learner, const qtr_environment *ground, const qtr_environment *aggregate,

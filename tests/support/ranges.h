@@ -9,6 +9,7 @@
 #include "tables.h"
 
 static qtr_policy policy;
+static qtr_field table_field;
 static uint8_t *exact; /* the table, in memory that ends where it ends */
 
 void setUp(void) {

@@ -18,7 +18,7 @@
 enum { TABLE_MOST = 64 * 1024 };
 
 static qtr_mission table_mission;
-static qtr_field table_field;
+static qtr_travel table_travel;
 static qtr_game table_game;
 static qtr_environment *table_ground;
 static qtr_learner *table_learner;
@@ -31,8 +31,8 @@ static inline void table_learn(unsigned steps) {
   qtr_learner_config config;
   qtr_learner_config_default(&config);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&table_mission, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&table_game, &table_mission, &table_field, NULL), case_note);
-  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&table_ground, &table_game, &table_field), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&table_game, &table_mission, &table_travel, NULL), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&table_ground, &table_game, &table_travel), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, learner_init(&table_learner, table_ground, NULL, &config), case_note);
   while (steps > 0 && qtr_learner_step(table_learner) == QTR_LEARNING) steps--;
 }
@@ -85,10 +85,10 @@ static inline void table_draw_regions(void) {
   board.step_bytes = 4;
   board.steps = steps;
   for (unsigned place = 0; place < 2; place++) {
-    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_field_fill(&table_field, &grid, table_mission.place[place]));
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_travel_fill(&table_travel, &grid, table_mission.place[place]));
     for (unsigned node = 0; node < 5; node++) {
       const qtr_cell cell = node < 2 ? table_mission.place[node] : start[node - 2];
-      steps_put(steps, node * 2 + place, table_field.to_go[cell]);
+      steps_put(steps, node * 2 + place, table_travel.to_go[cell]);
     }
   }
   uint16_t of[14];

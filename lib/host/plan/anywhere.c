@@ -68,7 +68,7 @@ static int set_up(builder *b, fault *why) {
                                      .any_cleared = b->config->any_cleared};
   if (allocate(b, &asked, why) != 0) return -1;
   if (stop_asked()) return stopped(b, why);
-  const int status = qtr_any_start_init(&b->any, &asked, &b->blocks, &b->s->p.field);
+  const int status = qtr_any_start_init(&b->any, &asked, &b->blocks, &b->s->p.travel);
   if (status == QTR_ERR_STOPPED) return stopped(b, why);
   if (status != QTR_OK) return fault_set(why, "%s: %s", b->s->p.in.path, qtr_strerror(status));
   return check_size(b, why);
@@ -82,7 +82,7 @@ static bool learn_rest(builder *b, fault *why) {
   plan_config config = *b->config;
   config.aggregate.way = AGGREGATE_NONE;
   config.learner.setting = QTR_SETTING_CERTIFIED;
-  if (qtr_rest_game(&alone->p.game, &alone->p.in.mission, &alone->p.field) != QTR_OK) return false;
+  if (qtr_rest_game(&alone->p.game, &alone->p.in.mission, &alone->p.travel) != QTR_OK) return false;
   if (study_begin(alone, &config, why) != 0) return false;
   for (int steps = 0; steps < 2000 && study_step(alone) == QTR_LEARNING; steps++) {}
   return !stop_asked();

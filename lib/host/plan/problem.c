@@ -90,10 +90,10 @@ int problem_measure(problem *p, const plan_config *config, fault *why) {
   const double begin = stop_seconds();
   int culprit;
   int status = qtr_mission_check(&p->in.mission, &culprit);
-  if (status == QTR_OK) status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
+  if (status == QTR_OK) status = qtr_game_init(&p->game, &p->in.mission, &p->travel, &culprit);
   if (status == QTR_ERR_UNREACHABLE) {
     if (handle_unreachable(p, config, why) != 0) return -1;
-    status = qtr_game_init(&p->game, &p->in.mission, &p->field, &culprit);
+    status = qtr_game_init(&p->game, &p->in.mission, &p->travel, &culprit);
   }
   const bool some_left_out = p->in.places_stated != p->in.mission.places;
   p->in.mission.number = some_left_out ? p->in.place_number : NULL;

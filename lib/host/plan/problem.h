@@ -11,7 +11,7 @@
 typedef struct {
   input in;
   qtr_game game;
-  qtr_field field;
+  qtr_travel travel;
   double travel_seconds; /* that the elemental tasks took */
 } problem;
 

@@ -52,7 +52,7 @@ static int make_aggregate(study *s, const aggregate_config *how, fault *why) {
   units.by_spots = aggregate_by_spots(how->way);
   units.regions = by_regions ? s->regions : NULL;
   if (memory_need(block, qtr_environment_bytes(&s->p.game, &units), why) != 0) return -1;
-  status = qtr_environment_init(&s->aggregate, block->at, block->bytes, &s->p.game, &units, &s->p.field);
+  status = qtr_environment_init(&s->aggregate, block->at, block->bytes, &s->p.game, &units, &s->p.travel);
   if (status == QTR_OK || status == QTR_ERR_STOPPED) return status;
   return fault_set(why, "%s: %s", s->p.in.path, qtr_strerror(status));
 }
@@ -80,7 +80,7 @@ int study_begin(study *s, const plan_config *config, fault *why) {
   s->aggregated = s->aggregated && status == QTR_OK;
   set_ground_rule(s);
   if (take_blocks(s, why) != 0) return -1;
-  status = qtr_environment_init(&s->ground, s->ground_block.at, s->ground_block.bytes, &s->p.game, NULL, &s->p.field);
+  status = qtr_environment_init(&s->ground, s->ground_block.at, s->ground_block.bytes, &s->p.game, NULL, &s->p.travel);
   if (status == QTR_OK) status = make_learner(s, &learning);
   return status == QTR_OK ? 0 : fault_set(why, "%s: %s", s->p.in.path, qtr_strerror(status));
 }

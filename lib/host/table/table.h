@@ -9,7 +9,6 @@
 #include "quarter/claim.h"
 #include "quarter/names.h"
 #include "quarter/policy.h"
-#include "quarter/travel.h"
 
 typedef struct {
   file_bytes bytes;

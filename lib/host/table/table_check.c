@@ -8,9 +8,10 @@
 #include <string.h>
 
 #include "host/table/certificate.h"
+#include "quarter/field.h"
 #include "quarter/nominal.h"
 #include "quarter/objective.h"
-#include "quarter/travel.h"
+#include "quarter/status.h"
 
 #define MEND "learn it again"
 #define ROUNDING 1e-7 /* relative: what two ways to add up one value may differ by */
@@ -29,12 +30,22 @@ static const char *say_steps(char *text, size_t size, qtr_steps steps) {
   return text;
 }
 
+/* Steps along the way that a robot goes. */
+static qtr_steps steps_on(const qtr_policy *policy, const qtr_field *field, qtr_cell cell) {
+  qtr_steps steps = 0;
+  for (qtr_cell next; (next = qtr_field_next(field, &policy->grid, cell)) != cell; cell = next) {
+    if (next == QTR_NO_CELL) return QTR_NEVER;
+    steps += qtr_grid_cost(&policy->grid, next);
+  }
+  return steps;
+}
+
 static int check_times_to(const qtr_policy *policy, const qtr_field *field, unsigned place, const char *path,
                           fault *why) {
   const unsigned places = policy->board.places;
   for (unsigned node = 0; node < nodes_of(policy); node++) {
     const qtr_steps told = qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place);
-    const qtr_steps true_steps = field->to_go[qtr_policy_cell(policy, node)];
+    const qtr_steps true_steps = steps_on(policy, field, qtr_policy_cell(policy, node));
     char said[32], is[32];
     if (told == true_steps) continue;
     return fault_set(
@@ -53,7 +64,7 @@ static int check_regions_to(const qtr_policy *policy, const qtr_field *field, un
     if (qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) continue;
     const unsigned start = qtr_policy_region(policy, (qtr_cell)cell);
     const qtr_steps from_start = qtr_board_steps(&policy->board, QTR_ANY_SEEKER, policy->board.places + start, place);
-    if ((from_start == QTR_NEVER) == (field->to_go[cell] == QTR_NEVER)) continue;
+    if ((from_start == QTR_NEVER) == (qtr_field_next(field, &policy->grid, (qtr_cell)cell) == QTR_NO_CELL)) continue;
     return fault_set(
         why, "%s: its regions are not its map's: the cell at column %u, row %u is cut off from its region; " MEND, path,
         (unsigned)(cell % policy->grid.columns), (unsigned)(cell / policy->grid.columns));

@@ -1,59 +1,59 @@
 #include "quarter/travel.h"
 
-#include "core/ring.h"
+#include "model/ring.h"
 
 /* A cell n is entered from any neighbour at the same price, so its neighbours all learn the same travel time, to_go(n)
  * + cost(n), and the first to tell a cell tells it the least. Each cell therefore waits in the ring once, under that
  * time, and is never moved. */
-static void wait_in_ring(qtr_field *field, const qtr_grid *grid, qtr_cell cell, qtr_steps to_go) {
-  field->to_go[cell] = to_go;
-  ring_put(field->ring, field->link, cell, to_go + qtr_grid_cost(grid, cell));
+static void wait_in_ring(qtr_travel *travel, const qtr_grid *grid, qtr_cell cell, qtr_steps to_go) {
+  travel->to_go[cell] = to_go;
+  ring_put(travel->ring, travel->link, cell, to_go + qtr_grid_cost(grid, cell));
 }
 
-static void settle_neighbours(qtr_field *field, const qtr_grid *grid, qtr_cell cell, qtr_steps told) {
+static void settle_neighbours(qtr_travel *travel, const qtr_grid *grid, qtr_cell cell, qtr_steps told) {
   const qtr_cell columns = grid->columns;
   const qtr_cell column = (qtr_cell)(cell % columns);
   const uint32_t cells = qtr_grid_cells(grid);
   const uint32_t next[4] = {(uint32_t)cell - columns, column + 1u < columns ? cell + 1u : cells,
                             (uint32_t)cell + columns, column > 0 ? cell - 1u : cells};
   for (int i = 0; i < 4; i++) {
-    if (next[i] >= cells || field->to_go[next[i]] != QTR_NEVER) continue;
-    if (qtr_grid_cost(grid, (qtr_cell)next[i]) > 0) wait_in_ring(field, grid, (qtr_cell)next[i], told);
+    if (next[i] >= cells || travel->to_go[next[i]] != QTR_NEVER) continue;
+    if (qtr_grid_cost(grid, (qtr_cell)next[i]) > 0) wait_in_ring(travel, grid, (qtr_cell)next[i], told);
   }
 }
 
-int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target, uint32_t config_id) {
+int qtr_travel_fill_built(qtr_travel *travel, const qtr_grid *grid, qtr_cell target, uint32_t config_id) {
   const uint32_t cells = qtr_grid_cells(grid);
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   if (cells > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
-  for (uint32_t cell = 0; cell < cells; cell++) field->to_go[cell] = QTR_NEVER;
-  ring_clear(field->ring);
+  for (uint32_t cell = 0; cell < cells; cell++) travel->to_go[cell] = QTR_NEVER;
+  ring_clear(travel->ring);
   if (qtr_grid_cost(grid, target) == 0) return QTR_ERR_ARGUMENT;
-  wait_in_ring(field, grid, target, 0);
+  wait_in_ring(travel, grid, target, 0);
   /* Times rise by at most 255 from cell to cell: a whole turn of empty entries means that all is settled. */
   unsigned empty = 0;
   for (qtr_steps now = 0; empty < QTR_TRAVEL_RING; now++) {
-    qtr_cell cell = ring_take(field->ring, now);
+    qtr_cell cell = ring_take(travel->ring, now);
     empty = cell == QTR_NO_CELL ? empty + 1 : 0;
     while (cell != QTR_NO_CELL) {
-      const qtr_cell after = field->link[cell];
-      settle_neighbours(field, grid, cell, now);
+      const qtr_cell after = travel->link[cell];
+      settle_neighbours(travel, grid, cell, now);
       cell = after;
     }
   }
   return QTR_OK;
 }
 
-qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell) {
+qtr_cell qtr_travel_next(const qtr_travel *travel, const qtr_grid *grid, qtr_cell cell) {
   const uint32_t cells = qtr_grid_cells(grid);
   if (cell >= cells || cells > QTR_MAX_CELLS) return QTR_NO_CELL;
-  const qtr_steps to_go = field->to_go[cell];
+  const qtr_steps to_go = travel->to_go[cell];
   if (to_go == QTR_NEVER) return QTR_NO_CELL;
   if (to_go == 0) return cell;
   for (int direction = QTR_NORTH; direction <= QTR_WEST; direction++) {
     const qtr_cell next = qtr_grid_neighbour(grid, cell, (enum qtr_direction)direction);
-    if (next == QTR_NO_CELL || field->to_go[next] == QTR_NEVER) continue;
-    if (field->to_go[next] + qtr_grid_cost(grid, next) == to_go) return next;
+    if (next == QTR_NO_CELL || travel->to_go[next] == QTR_NEVER) continue;
+    if (travel->to_go[next] + qtr_grid_cost(grid, next) == to_go) return next;
   }
   /* A cell in reach has a neighbour that is nearer by its cost, from which it was told its time. */
   QTR_ASSERT(false);
