@@ -26,11 +26,11 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
-    {"history", NULL, 0},
-    {"belief", NULL, 0},
-    {"prior", NULL, 0},
-    {"keep", NULL, 0},
-    {"detection", NULL, 0},
+    OPTION_LINE("history"),
+    OPTION_LINE("belief"),
+    OPTION_LINE("prior"),
+    OPTION_LINE("keep"),
+    OPTION_LINE("detection"),
     {"output", "write the places as CSV, for a mission's places_csv; '-' is standard output", 0},
     {"json", "print the estimate as JSON, or write it to FILE", 0},
     {"cell-size, snap", "as in 'quarter learn'", 39},

@@ -34,10 +34,10 @@ static const char intro[] =
 static const option_line lines[] = {
     {"output", "the SVG picture (required)", 0},
     {"robots, cell-size, skip-unreachable, snap", "as in 'quarter learn', for inputs", 71},
-    {"regions", NULL, 0},
+    OPTION_LINE("regions"),
     {"region-size region-diameter", "cells of a region, and steps between any two (default %s, %s)", 46},
     {"region-likelihood", "as in 'quarter learn'", 46},
-    {"spots", NULL, 0},
+    OPTION_LINE("spots"),
     {"spot-size spot-diameter spot-likelihood", "as in 'quarter learn'", 62},
     {"json", "what was drawn, in figures", 0},
     {"quiet", "say nothing", 0},

@@ -20,10 +20,8 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
-    {"robots", NULL, 0}, {"objective", NULL, 0}, {"gamma", NULL, 0},
-    {"rule", NULL, 0},   {"cell-size", NULL, 0}, {"skip-unreachable", NULL, 0},
-    {"snap", NULL, 0},   {"json", NULL, 0},      {"quiet", "no report but JSON", 0},
-    {NULL, NULL, 0},
+    OPTION_LINES_OF_PROBLEM,
+    OPTION_LINES_OF_ANSWER,
 };
 
 static const char outro[] = "\n"

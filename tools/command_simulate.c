@@ -22,9 +22,8 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
-    {"target", NULL, 0}, {"clear-all", NULL, 0}, {"late", NULL, 47}, {"lost", NULL, 0},
-    {"from", NULL, 0},   {"clear", NULL, 0},     {"json", NULL, 0},  {"quiet", "no report but JSON", 0},
-    {NULL, NULL, 0},
+    OPTION_LINE("target"), OPTION_LINE("clear-all"), {"late", NULL, 47},     OPTION_LINE("lost"),
+    OPTION_LINE("from"),   OPTION_LINE("clear"),     OPTION_LINES_OF_ANSWER,
 };
 
 static const char outro[] =

@@ -25,7 +25,7 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
-    {"budget-entries", NULL, 0},
+    OPTION_LINE("budget-entries"),
     {"episodes", "games for each try (default 2000)", 0},
     {"time-limit", "end with what has been tried after this many seconds", 0},
     {"learner, explore, alpha, seed, robots, objective, gamma, rule,\n"

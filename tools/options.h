@@ -37,9 +37,15 @@ typedef struct {
 /* Every option of every command, each told of once: how it is spelt, what it takes, where that goes, what help says of it. */
 extern option_table option_records;
 
-/* How the list of a command ends that learns and reports; and what the exit status 3 of one says. `first` is what there was not,
- * broken where its help has room. */
-#define OPTION_LINES_OF_REPORT {"json", NULL, 0}, {"quiet", NULL, 0}, {NULL, NULL, 0}
+/* What a problem is made of an input by. */
+#define OPTION_LINES_OF_PROBLEM                                                                                        \
+  OPTION_LINE("robots"), OPTION_LINE("objective"), OPTION_LINE("gamma"), OPTION_LINE("rule"),                          \
+      OPTION_LINE("cell-size"), OPTION_LINE("skip-unreachable"), OPTION_LINE("snap")
+
+/* How the list of a command ends that learns and reports, and that of one that answers without progress; and what the exit
+ * status 3 of the former says. `first` is what there was not, broken where its help has room. */
+#define OPTION_LINES_OF_REPORT OPTION_LINE("json"), OPTION_LINE("quiet"), {NULL, NULL, 0}
+#define OPTION_LINES_OF_ANSWER OPTION_LINE("json"), {"quiet", "no report but JSON", 0}, {NULL, NULL, 0}
 #define STATUS_OF_EARLY_END(first) "3 ended by the limit or a signal before " first "plan, nothing written; "
 
 /* What is asked for where nothing is said. */

@@ -127,12 +127,12 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
-    {"output", NULL, 0},     {"log", NULL, 0},         {"seed", NULL, 0},     {"mine", NULL, 0},
-    {"clear-all", NULL, 0},  {"faults", NULL, 0},      {"robots", NULL, 0},   {"table", NULL, 0},
-    {"save-table", NULL, 0}, {"learn-limit", NULL, 0}, {"speed", NULL, 0},    {"live [port]", NULL, 0},
-    {"follow", NULL, 0},     {"processes", NULL, 0},   {"lcm-url", NULL, 0},  {"run-number", NULL, 0},
-    {"runs", NULL, 0},       {"lose-one", NULL, 0},    {"strategy", NULL, 0}, {"json", NULL, 0},
-    {"quiet", NULL, 0},      {"version", NULL, 0},     {NULL, NULL, 0},
+    OPTION_LINE("output"),     OPTION_LINE("log"),         OPTION_LINE("seed"),     OPTION_LINE("mine"),
+    OPTION_LINE("clear-all"),  OPTION_LINE("faults"),      OPTION_LINE("robots"),   OPTION_LINE("table"),
+    OPTION_LINE("save-table"), OPTION_LINE("learn-limit"), OPTION_LINE("speed"),    OPTION_LINE("live [port]"),
+    OPTION_LINE("follow"),     OPTION_LINE("processes"),   OPTION_LINE("lcm-url"),  OPTION_LINE("run-number"),
+    OPTION_LINE("runs"),       OPTION_LINE("lose-one"),    OPTION_LINE("strategy"), OPTION_LINE("json"),
+    OPTION_LINE("quiet"),      OPTION_LINE("version"),     {NULL, NULL, 0},
 };
 
 static const char outro[] = "\n"

@@ -62,12 +62,12 @@ static option_table records = {
     {.name = NULL}};
 
 static const option_line lines[] = {
-    {"mark", NULL, 0},
-    {"text", NULL, 0},
+    OPTION_LINE("mark"),
+    OPTION_LINE("text"),
     {"file", "a %sfile of its own", 30},
-    {"share", NULL, 0},
+    OPTION_LINE("share"),
     {"size, seed,\ncolour [sure]", "of size %s", 0},
-    {"twice", NULL, 0},
+    OPTION_LINE("twice"),
     {NULL, NULL, 0},
 };
 static const option_set set = {"try", "Before.\n", "After.\n", records, lines};

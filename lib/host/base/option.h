@@ -51,6 +51,9 @@ typedef struct {
 
 #define OPTION_COLUMN 27
 
+/* A line of the first one's own help. */
+#define OPTION_LINE(options) {options, NULL, 0}
+
 typedef struct {
   const char *name; /* of the command, for faults; NULL: the program has one only */
   const char *intro, *outro;

@@ -10,37 +10,41 @@
 
 #define MAPS "maps that are: a drawing, a Moving AI .map, a ROS map_server YAML with a PGM, PNG or BMP"
 
-/* What a file starts with, blanks left out, and a word that it holds near its start (NULL: none). In this order. */
+#define WORDS 3
+
+/* What a file starts with, blanks left out, and the words of which it holds one near its start (none named: any file). In this
+ * order. */
 static const struct {
-  const char *start, *word, *what;
+  const char *start, *words[WORDS], *what;
 } formats[] = {
-    {"QTRP", NULL, "a policy table, which is made already; 'quarter inspect', 'simulate' and 'draw' take it"},
-    {"{", "\"fileType\"", "a QGroundControl plan, which is not read; list its waypoints as places; " MAPS},
-    {"{", "\"FeatureCollection\"", "a GeoJSON, which is not read; list its points as places (places_csv); " MAPS},
-    {"{", "\"Feature\"", "a GeoJSON, which is not read; list its points as places (places_csv); " MAPS},
-    {"{", "\"coordinates\"", "a GeoJSON, which is not read; list its points as places (places_csv); " MAPS},
-    {"{", "\"tilewidth\"", "a Tiled map, which is not read; " MAPS},
-    {"QGC WPL", NULL, "a list of waypoints for a drone, which is not read; list them as places; " MAPS},
-    {"<", "<kml", "a KML, which is not read; list its points as places (places_csv); " MAPS},
-    {"<", "<gpx", "a GPX, which is not read; list its points as places (places_csv); " MAPS},
-    {"<", "<osm", "an OpenStreetMap extract, which is not read; " MAPS},
-    {"<", "<svg", "an SVG picture, which is not read; " MAPS},
-    {"<", "<sdf", "a Gazebo world, which is not read; save the robot's map of it; " MAPS},
-    {"<", "<html", "a web page, which is not read; " MAPS},
-    {"<", NULL, "an XML file, which is not read; " MAPS},
-    {"ncols", NULL, "an ESRI ASCII grid, which is not read; draw it with # and . a cell; " MAPS},
-    {"version 1", NULL,
+    {"QTRP", {NULL}, "a policy table, which is made already; 'quarter inspect', 'simulate' and 'draw' take it"},
+    {"{", {"\"fileType\""}, "a QGroundControl plan, which is not read; list its waypoints as places; " MAPS},
+    {"{",
+     {"\"FeatureCollection\"", "\"Feature\"", "\"coordinates\""},
+     "a GeoJSON, which is not read; list its points as places (places_csv); " MAPS},
+    {"{", {"\"tilewidth\""}, "a Tiled map, which is not read; " MAPS},
+    {"QGC WPL", {NULL}, "a list of waypoints for a drone, which is not read; list them as places; " MAPS},
+    {"<", {"<kml"}, "a KML, which is not read; list its points as places (places_csv); " MAPS},
+    {"<", {"<gpx"}, "a GPX, which is not read; list its points as places (places_csv); " MAPS},
+    {"<", {"<osm"}, "an OpenStreetMap extract, which is not read; " MAPS},
+    {"<", {"<svg"}, "an SVG picture, which is not read; " MAPS},
+    {"<", {"<sdf"}, "a Gazebo world, which is not read; save the robot's map of it; " MAPS},
+    {"<", {"<html"}, "a web page, which is not read; " MAPS},
+    {"<", {NULL}, "an XML file, which is not read; " MAPS},
+    {"ncols", {NULL}, "an ESRI ASCII grid, which is not read; draw it with # and . a cell; " MAPS},
+    {"version 1",
+     {NULL},
      "a Moving AI scenario, which is not read; name the .map that it is about, and its points as places"},
-    {"#ROSBAG", NULL, "a ROS bag, which is not read; save the map from it with map_saver; " MAPS},
-    {"# Octomap", NULL, "an OctoMap, which is not read; save its floor with map_saver; " MAPS},
-    {"# .PCD", NULL, "a point cloud, which is not read; " MAPS},
-    {"ply\n", NULL, "a point cloud, which is not read; " MAPS},
-    {"%PDF", NULL, "a PDF, which is not read; " MAPS},
-    {"PK\3\4", NULL, "a ZIP archive (or KMZ), which is not read; unpack it first; " MAPS},
-    {"\x1f\x8b", NULL, "compressed by gzip; unpack it first"},
-    {"SQLite format 3", NULL, "a database (a GeoPackage or a ROS 2 bag), which is not read; " MAPS},
-    {"x,y,", NULL, "a CSV of places; name it by 'places_csv' in a mission, beside its map: " MAPS},
-    {"column,row,", NULL, "a CSV of places; name it by 'places_csv' in a mission, beside its map: " MAPS}};
+    {"#ROSBAG", {NULL}, "a ROS bag, which is not read; save the map from it with map_saver; " MAPS},
+    {"# Octomap", {NULL}, "an OctoMap, which is not read; save its floor with map_saver; " MAPS},
+    {"# .PCD", {NULL}, "a point cloud, which is not read; " MAPS},
+    {"ply\n", {NULL}, "a point cloud, which is not read; " MAPS},
+    {"%PDF", {NULL}, "a PDF, which is not read; " MAPS},
+    {"PK\3\4", {NULL}, "a ZIP archive (or KMZ), which is not read; unpack it first; " MAPS},
+    {"\x1f\x8b", {NULL}, "compressed by gzip; unpack it first"},
+    {"SQLite format 3", {NULL}, "a database (a GeoPackage or a ROS 2 bag), which is not read; " MAPS},
+    {"x,y,", {NULL}, "a CSV of places; name it by 'places_csv' in a mission, beside its map: " MAPS},
+    {"column,row,", {NULL}, "a CSV of places; name it by 'places_csv' in a mission, beside its map: " MAPS}};
 
 static const char building[] = "a building of Open-RMF, which is not read; name the map_server YAML of one level's "
                                "floor plan, and its points as places";
@@ -51,6 +55,12 @@ static bool holds(const char *text, size_t size, const char *word) {
   for (size_t i = 0; i + length <= size; i++)
     if (text[i] == word[0] && strncasecmp(text + i, word, length) == 0) return true;
   return false;
+}
+
+static bool holds_one(const char *text, size_t size, const char *const *words) {
+  bool found = words[0] == NULL;
+  for (int i = 0; i < WORDS && words[i] != NULL; i++) found = found || holds(text, size, words[i]);
+  return found;
 }
 
 /* A YAML with "levels:" at the margin, which no map or mission of ours has. */
@@ -77,7 +87,7 @@ const char *foreign_what(const file_bytes *bytes) {
   for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
     const size_t length = strlen(formats[i].start);
     if (size < length || strncasecmp(text, formats[i].start, length) != 0) continue;
-    if (formats[i].word == NULL || holds(text, size, formats[i].word)) return formats[i].what;
+    if (holds_one(text, size, formats[i].words)) return formats[i].what;
   }
   return is_building(bytes) ? building : NULL;
 }
