@@ -1,5 +1,6 @@
 #include "carray.h"
 
+#include <ctype.h>
 #include <inttypes.h>
 
 #include "cname.h"
@@ -7,12 +8,34 @@
 
 #define BYTES_A_LINE 16
 
-void carray_write(FILE *out, const char *path, const uint8_t *bytes, uint32_t size) {
+/* NAME_CELLS and the like, and that the build holds as much. */
+static void write_needs(FILE *out, const char *name, const qtr_policy *policy) {
+  const struct {
+    const char *what;
+    uint32_t needed;
+  } needs[] = {
+      {"CELLS", qtr_grid_cells(&policy->grid)}, {"PLACES", policy->board.places}, {"SEEKERS", policy->board.seekers}};
+  const int count = (int)(sizeof needs / sizeof needs[0]);
+  char upper[CNAME_SIZE];
+  for (size_t i = 0; i < sizeof upper; i++) upper[i] = (char)toupper((unsigned char)name[i]);
+  for (int i = 0; i < count; i++) fprintf(out, "#define %s_%s %" PRIu32 "\n", upper, needs[i].what, needs[i].needed);
+  fprintf(out, "\n#ifdef __has_include\n#if __has_include(\"quarter/config.h\")\n#include \"quarter/config.h\"\n");
+  for (int i = 0; i < count; i++)
+    fprintf(out, "#if QTR_MAX_%s < %s_%s\n#error \"%s needs QTR_MAX_%s to be %" PRIu32 " or more\"\n#endif\n",
+            needs[i].what, upper, needs[i].what, name, needs[i].what, needs[i].needed);
+  fprintf(out, "#endif\n#endif\n\n");
+}
+
+void carray_write(FILE *out, const char *path, const qtr_policy *policy) {
+  const uint8_t *bytes = policy->bytes;
+  const uint32_t size = policy->size;
   char name[CNAME_SIZE];
   cname_of_path(name, path);
   fprintf(out, "/* A Quarter policy table, made by quarter %s. Declare it where it is used:\n", QTR_VERSION_STRING);
   fprintf(out, " *   extern const uint8_t %s[];\n *   extern const uint32_t %s_size;\n */\n", name, name);
-  fprintf(out, "#include <stdint.h>\n\nextern const uint8_t %s[];\nextern const uint32_t %s_size;\n\n", name, name);
+  fprintf(out, "#include <stdint.h>\n\n");
+  write_needs(out, name, policy);
+  fprintf(out, "extern const uint8_t %s[];\nextern const uint32_t %s_size;\n\n", name, name);
   fprintf(out, "const uint32_t %s_size = %" PRIu32 ";\nconst uint8_t %s[%" PRIu32 "] = {", name, size, name, size);
   for (uint32_t i = 0; i < size; i++)
     fprintf(out, "%s0x%02x%s", i % BYTES_A_LINE == 0 ? "\n  " : " ", bytes[i], i + 1 < size ? "," : "");

@@ -83,13 +83,13 @@ static int search(report *r, const options *o, fault *why) {
   return curve_end(&course, learnt->learner, &r->certificate, why);
 }
 
-static int write_bytes(const char *path, const uint8_t *bytes, uint32_t size, bool as_c, fault *why) {
+static int write_bytes(const char *path, const table *t, bool as_c, fault *why) {
   outfile out;
   if (outfile_open(&out, path, why) != 0) return -1;
   if (as_c)
-    carray_write(out.file, path, bytes, size);
+    carray_write(out.file, path, &t->policy);
   else
-    fwrite(bytes, 1, size, out.file);
+    fwrite(t->bytes.data, 1, t->bytes.size, out.file);
   return outfile_commit(&out, why);
 }
 
@@ -137,8 +137,8 @@ static int write_table(report *r, const options *o, fault *why) {
     r->table_records = t.policy.records;
     table_routes(&t, r->route);
     report_number_routes(r);
-    if (o->output != NULL) status = write_bytes(o->output, t.bytes.data, whole, false, why);
-    if (status == 0 && o->c_output != NULL) status = write_bytes(o->c_output, t.bytes.data, size, true, why);
+    if (o->output != NULL) status = write_bytes(o->output, &t, false, why);
+    if (status == 0 && o->c_output != NULL) status = write_bytes(o->c_output, &t, true, why);
   }
   table_free(&t);
   return status;

@@ -206,13 +206,14 @@ static const char *const words[] = {"alignas",
 
 static void write_words(const char *path, const char *headers) {
   static const uint8_t bytes[] = {1, 2, 3};
+  const qtr_policy policy = {.bytes = bytes, .size = sizeof bytes, .grid = {4, 2, QTR_GRID_BITS, bytes}};
   FILE *out = fopen(path, "w");
   TEST_ASSERT_NOT_NULL(out);
   fputs(headers, out);
   for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
     char name[64];
     snprintf(name, sizeof name, "%s.c", words[i]);
-    carray_write(out, name, bytes, sizeof bytes);
+    carray_write(out, name, &policy);
   }
   TEST_ASSERT_EQUAL_INT(0, fclose(out));
 }
@@ -263,6 +264,27 @@ static void test_learn_writes_the_name_that_compiles(void) {
   TEST_ASSERT_EQUAL_INT(0, compile(QUARTER_CC, "c", "c99", "int.c"));
 }
 
+/* A build whose arrays are too small does not compile, and is told which to raise. */
+static void test_what_does_not_fit_the_build_does_not_compile(void) {
+  tool_result r;
+  char text[3000];
+  const char *const include = "-I" QUARTER_SOURCE_DIR "/include";
+  char compiler[600];
+  write_file("map.txt", "S..5..1..1..1..1..1..1..1..1..1..1..1..1..1..1..1..1..1\n");
+  run_tool(&r, "learn map.txt -q --c sweep.c");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
+  read_text("sweep.c", text, sizeof text);
+  TEST_ASSERT_NOT_NULL_MESSAGE(
+      strstr(text, "#define SWEEP_CELLS 55\n#define SWEEP_PLACES 18\n#define SWEEP_SEEKERS 1\n"), text);
+  snprintf(compiler, sizeof compiler, "%s %s", QUARTER_CC, include);
+  TEST_ASSERT_EQUAL_INT(0, compile(compiler, "c", "c99", "sweep.c"));
+  snprintf(compiler, sizeof compiler, "%s %s -DQTR_PROFILE_MCU", QUARTER_CC, include);
+  TEST_ASSERT_NOT_EQUAL_INT(0, compile(compiler, "c", "c99", "sweep.c"));
+  read_text("words.log", text, sizeof text);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(text, "sweep needs QTR_MAX_PLACES to be 18 or more"), text);
+  TEST_ASSERT_NULL_MESSAGE(strstr(text, "QTR_MAX_CELLS"), text);
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_a_plain_name_stays);
@@ -271,5 +293,6 @@ int main(void) {
   RUN_TEST(test_a_long_name_is_cut_and_still_taken_for_what_it_is);
   RUN_TEST(test_every_keyword_compiles_as_c_and_as_cpp);
   RUN_TEST(test_learn_writes_the_name_that_compiles);
+  RUN_TEST(test_what_does_not_fit_the_build_does_not_compile);
   return UNITY_END();
 }
