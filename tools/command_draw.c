@@ -130,6 +130,11 @@ static int from_input(sheet *s, const options *o, fault *why) {
 
 /* ---- a table ---- */
 
+/* A picture shows the map that the table was learnt on, of which it holds a part. */
+static qtr_cell on_map(const table *t, qtr_cell cell) {
+  return (qtr_cell)(table_row(t, cell) * t->claim.map_columns + table_column(t, cell));
+}
+
 /* The cells that a seeker walks, its route's last place the last. */
 static int walk(sheet *s, const table *t, int seeker, fault *why) {
   const table_route *route = &s->route[seeker];
@@ -137,16 +142,17 @@ static int walk(sheet *s, const table *t, int seeker, fault *why) {
   for (int i = 0; i < route->places; i++) room += 1u + (i > 0 ? route->step[i] - route->step[i - 1] : route->step[i]);
   s->trail[seeker] = malloc(room * sizeof(qtr_cell));
   if (s->trail[seeker] == NULL) return fault_set(why, "no memory for seeker %d's route", seeker);
-  qtr_cell cell = s->seeker[seeker].start;
+  const qtr_board *board = &t->policy.board;
+  qtr_cell cell = qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[seeker]);
   size_t length = 0;
-  s->trail[seeker][length++] = cell;
+  s->trail[seeker][length++] = on_map(t, cell);
   for (int i = 0; i < route->places; i++) {
     const qtr_cell goal = qtr_policy_cell(&t->policy, route->place[i]);
     qtr_field_fill(&desk->way, &t->policy.grid, goal);
     while (cell != goal && length < room) {
       cell = qtr_field_next(&desk->way, &t->policy.grid, cell);
       if (cell == QTR_NO_CELL) return fault_set(why, "the table's travel times do not fit its map; learn it again");
-      s->trail[seeker][length++] = cell;
+      s->trail[seeker][length++] = on_map(t, cell);
     }
   }
   s->seeker[seeker].trail = s->trail[seeker];
@@ -156,11 +162,11 @@ static int walk(sheet *s, const table *t, int seeker, fault *why) {
 
 static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {
   const qtr_board *board = &t->policy.board;
-  s->seeker[seeker] =
-      (drawing_seeker){.start = qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[seeker]),
-                       .places = s->route[seeker].places,
-                       .place = s->route[seeker].place,
-                       .step = s->route[seeker].step};
+  s->seeker[seeker] = (drawing_seeker){
+      .start = on_map(t, qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[seeker])),
+      .places = s->route[seeker].places,
+      .place = s->route[seeker].place,
+      .step = s->route[seeker].step};
   return walk(s, t, seeker, why);
 }
 
@@ -178,17 +184,17 @@ static void add_certificate(sheet *s, const table *t) {
 
 static int from_table(sheet *s, const table *t, fault *why) {
   const qtr_policy *policy = &t->policy;
-  const uint32_t cells = qtr_grid_cells(&policy->grid);
-  s->cost = malloc(cells);
+  s->cost = calloc(t->claim.map_columns, t->claim.map_rows);
   if (s->cost == NULL) return fault_set(why, "no memory for the picture");
   s->d.cost = s->cost;
-  for (uint32_t cell = 0; cell < cells; cell++) s->cost[cell] = (uint8_t)qtr_grid_cost(&policy->grid, (qtr_cell)cell);
-  s->d.columns = policy->grid.columns;
-  s->d.rows = policy->grid.rows;
+  for (uint32_t cell = 0; cell < qtr_grid_cells(&policy->grid); cell++)
+    s->cost[on_map(t, (qtr_cell)cell)] = (uint8_t)qtr_grid_cost(&policy->grid, (qtr_cell)cell);
+  s->d.columns = t->claim.map_columns;
+  s->d.rows = t->claim.map_rows;
   s->d.cell_size = policy->frame.cell_size_um / 1e6;
   s->d.places = policy->board.places;
   for (unsigned place = 0; place < policy->board.places; place++) {
-    s->place[place] = qtr_policy_cell(policy, place);
+    s->place[place] = on_map(t, qtr_policy_cell(policy, place));
     s->likelihood[place] = table_probability(t, place);
   }
   s->d.seekers = policy->board.seekers;
