@@ -28,6 +28,8 @@
 #include "quarter/regions.h"
 #include "quarter/writer.h"
 
+QTR_C_BEGIN
+
 /* What the table is to be for. Game and regions must outlive its making. */
 typedef struct {
   const qtr_game *game;       /* the mission's own, set up */
@@ -101,5 +103,7 @@ void qtr_any_start_finish(qtr_any_start *any);
 
 /* What the table is made of; lives as long as all that it points to. The certificate is that of the mission's own game. */
 qtr_table_content qtr_any_start_content(const qtr_any_start *any, const qtr_certificate *certificate, uint64_t seed);
+
+QTR_C_END
 
 #endif

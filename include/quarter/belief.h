@@ -11,6 +11,8 @@
 
 #include "quarter/config.h"
 
+QTR_C_BEGIN
+
 /* The prior of a place at least: below it the estimate could become 0, which is no weight. */
 #define QTR_BELIEF_LEAST 1e-100
 /* Prior or finds of a place at most: beyond it one more find would be lost in rounding. */
@@ -100,5 +102,7 @@ int qtr_belief_save(const qtr_belief *belief, void *bytes, uint32_t room);
  * more places than the build holds, QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_belief_load(belief, bytes, size) qtr_belief_load_sized(belief, bytes, size, QTR_CONFIG_ID)
 int qtr_belief_load_sized(qtr_belief *belief, const void *bytes, uint32_t size, uint32_t config_id);
+
+QTR_C_END
 
 #endif

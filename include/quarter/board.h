@@ -11,6 +11,8 @@
 #include "quarter/config.h"
 #include "quarter/key.h"
 
+QTR_C_BEGIN
+
 #define QTR_STAND_DOWN ((uint16_t)0xFFFF) /* as a choice; and as a node, of a seeker that has stood down */
 #define QTR_MAX_STARTS 32767              /* so that every node has a number of 16 bits */
 #define QTR_ANY_SEEKER QTR_MAX_SEEKERS /* where no one seeker is meant: the ground's own times, which no seeker beats */
@@ -44,5 +46,7 @@ unsigned qtr_board_nodes(const qtr_board *board);
 /* Travel time of a seeker from a node to a place; QTR_NEVER if there is no way, or no such seeker, node or place.
  * QTR_ANY_SEEKER is one. */
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place);
+
+QTR_C_END
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "quarter/policy.h"
 
+QTR_C_BEGIN
+
 /* The bits of an IEEE 754 double: a robot has no floating point. */
 typedef uint64_t qtr_double_bits;
 
@@ -38,5 +40,7 @@ unsigned qtr_claim_number(const qtr_claim *claim, const qtr_policy *policy, unsi
 
 /* The policy is open, or its words have been checked. */
 void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy);
+
+QTR_C_END
 
 #endif

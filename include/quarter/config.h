@@ -15,13 +15,22 @@
 #include QTR_CONFIG_HEADER
 #endif
 
+/* Around what a public header declares: C++ links it as C. */
+#ifdef __cplusplus
+#define QTR_C_BEGIN extern "C" {
+#define QTR_C_END }
+#else
+#define QTR_C_BEGIN
+#define QTR_C_END
+#endif
+
 /* Cells of a grid, columns x rows, blocked ones included. A distance field costs 6 bytes a cell up to 65,535 cells,
  * 8 beyond, on the robot as on the host. */
 #ifndef QTR_MAX_CELLS
 #ifdef QTR_PROFILE_MCU
-#define QTR_MAX_CELLS (32 * 32)
+#define QTR_MAX_CELLS 1024
 #else
-#define QTR_MAX_CELLS (1024 * 1024)
+#define QTR_MAX_CELLS 1048576
 #endif
 #endif
 
@@ -58,7 +67,7 @@
 #ifdef QTR_PROFILE_MCU
 #define QTR_MAX_REGIONS 1024
 #else
-#define QTR_MAX_REGIONS (128 * 1024)
+#define QTR_MAX_REGIONS 131072
 #endif
 #endif
 
@@ -149,6 +158,7 @@ typedef uint32_t qtr_steps;
   ((uint32_t)(((uint32_t)(QTR_MAX_CELLS) * 2654435761u) ^ ((uint32_t)(QTR_MAX_PLACES) * 2246822519u) ^                 \
               ((uint32_t)(QTR_MAX_SEEKERS) * 3266489917u) ^ ((uint32_t)(QTR_QTABLE_WORDS) * 668265263u) ^              \
               ((uint32_t)(QTR_BOUND_SLOTS) * 374761393u) ^ ((uint32_t)(QTR_MAX_SPOT_SIZE) * 1013904223u) ^             \
-              ((uint32_t)(QTR_MAX_REGIONS) * 2246822507u) ^ ((uint32_t)(QTR_MAX_REGION_SIZE) * 3266489909u)))
+              ((uint32_t)(QTR_MAX_REGIONS) * 2246822507u) ^ ((uint32_t)(QTR_MAX_REGION_SIZE) * 3266489909u) ^          \
+              ((uint32_t)(QTR_MAX_REGION_DIAMETER) * 2654435769u)))
 
 #endif

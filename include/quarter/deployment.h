@@ -7,6 +7,8 @@
 #include "quarter/places.h"
 #include "quarter/policy.h"
 
+QTR_C_BEGIN
+
 typedef struct {
   uint16_t start_of[QTR_MAX_SEEKERS]; /* start of the policy's board that each seeker plays from */
   qtr_places cleared;                 /* known to all before the start */
@@ -27,5 +29,7 @@ int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *poli
 /* What tells this division of the ground from every other: the CRC-32 of the table, then of the start nodes (2 bytes each) and
  * the places cleared (a bit each). Signals carry it, so that robots which play other divisions do not believe one another. */
 uint32_t qtr_deployment_identity(const qtr_deployment *deployment, const qtr_policy *policy);
+
+QTR_C_END
 
 #endif

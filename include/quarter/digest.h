@@ -7,6 +7,10 @@
 
 #include "quarter/policy.h"
 
+QTR_C_BEGIN
+
 uint32_t qtr_policy_digest(const qtr_policy *policy);
+
+QTR_C_END
 
 #endif

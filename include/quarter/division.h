@@ -14,6 +14,8 @@
 #include "quarter/joint.h"
 #include "quarter/policy.h"
 
+QTR_C_BEGIN
+
 /* Each place is chosen once. Under the paper's rule seekers follow others where no place is left for them alone: then no more
  * places than seekers are left, and each seeker goes to each of them at most once. */
 #define QTR_MAX_MOVES (QTR_MAX_PLACES + QTR_MAX_SEEKERS * QTR_MAX_SEEKERS)
@@ -31,5 +33,7 @@ void qtr_division_begin(qtr_division *division, const qtr_policy *policy, const 
 
 /* Play one choice more. False, with nothing done: the division is complete. */
 bool qtr_division_play(qtr_division *division, const qtr_policy *policy);
+
+QTR_C_END
 
 #endif

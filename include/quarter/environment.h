@@ -19,6 +19,8 @@
 #include "quarter/regions.h"
 #include "quarter/spots.h"
 
+QTR_C_BEGIN
+
 /* The aggregation unit's settings. */
 typedef struct {
   uint32_t made; /* by qtr_aggregation_default() */
@@ -64,5 +66,7 @@ int qtr_environment_init_built(qtr_environment **environment, void *block, size_
 
 /* How many targets there are to choose from: places, or spots. */
 unsigned qtr_environment_targets(const qtr_environment *environment);
+
+QTR_C_END
 
 #endif

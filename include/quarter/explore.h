@@ -6,6 +6,8 @@
 
 #include "quarter/config.h"
 
+QTR_C_BEGIN
+
 enum qtr_exploration {
   QTR_EXPLORE_UNIFORM = 0, /* any choice, all alike; the rate is not used */
   QTR_EXPLORE_EPSILON = 1, /* with probability rate any choice, else the one with the largest Q */
@@ -26,5 +28,7 @@ void qtr_exploration_default(qtr_exploration_plan *plan);
 
 /* QTR_OK, or QTR_ERR_ARGUMENT for a plan out of its ranges, or not from its default. */
 int qtr_exploration_check(const qtr_exploration_plan *plan);
+
+QTR_C_END
 
 #endif

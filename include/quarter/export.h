@@ -6,10 +6,14 @@
 
 #include "quarter/learner.h"
 
+QTR_C_BEGIN
+
 /* Bytes that the table takes. */
 uint32_t qtr_export_size(const qtr_learner *learner);
 
 /* Write it to `bytes`, which holds `size`, as qtr_table_write() does and with what that returns. */
 int32_t qtr_export(qtr_learner *learner, uint8_t *bytes, uint32_t size);
+
+QTR_C_END
 
 #endif

@@ -16,6 +16,8 @@
 #include "quarter/config.h"
 #include "quarter/grid.h"
 
+QTR_C_BEGIN
+
 /* Of each cell: in the upper 4 bits the direction to go on in, below them the next cell of those that wait for the same
  * time. */
 #if QTR_MAX_CELLS < 4096
@@ -53,5 +55,7 @@ int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target
 /* The cell to enter next on a shortest path from `cell` to the field's target: the first in the order N, E, S, W. `cell` itself
  * at the target; QTR_NO_CELL where there is no way, or none is known yet, and for a cell outside the grid. */
 qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell);
+
+QTR_C_END
 
 #endif

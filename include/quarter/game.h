@@ -12,6 +12,8 @@
 #include "quarter/objective.h"
 #include "quarter/travel.h"
 
+QTR_C_BEGIN
+
 #define QTR_MAX_NODES (QTR_MAX_PLACES + QTR_MAX_SEEKERS)
 /* Large: keep it in static storage. */
 typedef struct {
@@ -66,5 +68,7 @@ void qtr_game_pass(const qtr_game *game, qtr_state *state, qtr_outcome *outcome)
 
 /* Score a game given each place's step of first visit. */
 void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *score);
+
+QTR_C_END
 
 #endif

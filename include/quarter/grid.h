@@ -7,6 +7,8 @@
 
 #include "quarter/config.h"
 
+QTR_C_BEGIN
+
 #define QTR_TRAVEL_RING 256 /* one more than the greatest cost of a cell: what a search needs (quarter/travel.h) */
 
 enum qtr_grid_encoding {
@@ -75,5 +77,7 @@ qtr_cell qtr_frame_cell(const qtr_frame *frame, const qtr_grid *grid, int64_t x_
 
 /* Bytes that a grid of this many cells takes in an encoding. */
 uint32_t qtr_grid_size(uint32_t cells, uint8_t encoding);
+
+QTR_C_END
 
 #endif

@@ -18,6 +18,8 @@
 #include "quarter/key.h"
 #include "quarter/places.h"
 
+QTR_C_BEGIN
+
 #define QTR_NOBODY (-1)
 
 typedef struct {
@@ -51,5 +53,7 @@ qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places
 
 /* The key of a state, in the shape of the board's. */
 void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_board *board);
+
+QTR_C_END
 
 #endif

@@ -12,6 +12,8 @@
 #include "quarter/config.h"
 #include "quarter/places.h"
 
+QTR_C_BEGIN
+
 /* Words that hold the key of any state of any board of this build: visited places, the clock, and a node and a time a
  * seeker. */
 #define QTR_KEY_WORDS (QTR_PLACE_WORDS + 1 + (QTR_MAX_SEEKERS * 48 + 31) / 32)
@@ -41,5 +43,7 @@ void qtr_key_measure(qtr_key_shape *shape);
 /* The key of a state: the places visited, the clock's digit, and a node and a time remaining for each seeker. */
 void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *visited, qtr_steps clock,
                   const uint16_t *node, const qtr_steps *remaining);
+
+QTR_C_END
 
 #endif

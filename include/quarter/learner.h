@@ -35,6 +35,8 @@
 #include "quarter/play.h"
 #include "quarter/policy.h"
 
+QTR_C_BEGIN
+
 #define QTR_LEAST_GAP 1e-12 /* a smaller gap is taken for this one: two sums that are equal may differ by as much */
 #define QTR_FLOAT_GAP 1e-6  /* below, the Q-table holds doubles, at 4 bytes more an entry: floats would keep it open */
 
@@ -154,5 +156,7 @@ size_t qtr_learner_table_needs(const qtr_learner *learner);
 /* The table stands in another block now, no smaller, whose start holds what the old one held (as realloc() leaves it). Between
  * steps alone. QTR_OK, or QTR_ERR_SPACE with nothing changed if it is smaller. */
 int qtr_learner_move_table(qtr_learner *learner, uint32_t *table, size_t words);
+
+QTR_C_END
 
 #endif

@@ -9,6 +9,8 @@
 #include "quarter/status.h"
 #include "quarter/watch.h"
 
+QTR_C_BEGIN
+
 typedef struct {
   uint32_t made;          /* by qtr_mission_default() */
   uint16_t columns, rows; /* columns * rows <= QTR_MAX_CELLS */
@@ -42,5 +44,7 @@ static inline uint32_t qtr_mission_cells(const qtr_mission *mission) {
 
 /* The mission's cells as a grid; lives as long as the mission. */
 qtr_grid qtr_mission_grid(const qtr_mission *mission);
+
+QTR_C_END
 
 #endif

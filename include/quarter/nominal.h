@@ -10,6 +10,8 @@
 #include "quarter/joint.h"
 #include "quarter/policy.h"
 
+QTR_C_BEGIN
+
 /* Look a state up. False if the table has no record of it. */
 bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice);
 
@@ -21,5 +23,7 @@ uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int
  * when it has none left or is none. `*now` (may be NULL) is moved on by the time that passes; `*off_table` (may be NULL) counts
  * the choices made off the table. */
 uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table);
+
+QTR_C_END
 
 #endif

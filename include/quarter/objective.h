@@ -16,6 +16,8 @@
 
 #include "quarter/config.h"
 
+QTR_C_BEGIN
+
 enum qtr_objective_kind {
   QTR_DISCOUNTED = 0, /* maximise the sum over places of w P gamma^max(t-1, 0), w = 10 (paper, section 4.1) */
   QTR_TIME = 1,       /* minimise the expected step of the visit, the sum of P t */
@@ -164,5 +166,7 @@ double qtr_objective_gap(uint8_t kind, double figure, double bound);
 /* Whether a game is worth more than another, or as much and takes less expected time: what is discounted away counts for
  * nothing in a sum, but it still has to be searched. */
 bool qtr_score_is_better(const qtr_score *score, const qtr_score *than);
+
+QTR_C_END
 
 #endif

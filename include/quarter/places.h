@@ -8,6 +8,8 @@
 
 #include "quarter/config.h"
 
+QTR_C_BEGIN
+
 #define QTR_PLACE_WORDS ((QTR_MAX_PLACES + 31) / 32)
 
 typedef struct {
@@ -29,5 +31,7 @@ static inline void qtr_places_add(qtr_places *set, unsigned place) {
 static inline void qtr_places_remove(qtr_places *set, unsigned place) {
   if (place < QTR_MAX_PLACES) set->word[place / 32] &= ~((uint32_t)1 << (place % 32));
 }
+
+QTR_C_END
 
 #endif

@@ -7,6 +7,8 @@
 #include "quarter/config.h"
 #include "quarter/game.h"
 
+QTR_C_BEGIN
+
 /* A game has no more choices than this: each place is chosen once, and each seeker stands down once. Under the paper's rule
  * seekers follow others when no place is left for them alone: then no more places than seekers are left, and each seeker
  * goes to each of them at most once. */
@@ -38,5 +40,7 @@ void qtr_play_score(qtr_play *play, const qtr_game *game);
 
 /* The routes that a play's choices make. */
 void qtr_play_to_routes(const qtr_play *play, const qtr_game *game, qtr_routes *routes);
+
+QTR_C_END
 
 #endif

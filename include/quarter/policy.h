@@ -13,6 +13,8 @@
 #include "quarter/config.h"
 #include "quarter/grid.h"
 
+QTR_C_BEGIN
+
 #define QTR_POLICY_FORMAT 2 /* raised when the bytes change their meaning; apart from the library's version */
 #define QTR_POLICY_NO_REGION 0xFFFFu
 #define QTR_RECORD_BYTES (4 * QTR_KEY_WORDS + 4) /* of the largest record of a table */
@@ -67,5 +69,7 @@ uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place);
 /* The start that stands for a cell: QTR_POLICY_NO_REGION for one that is blocked or outside, and on a table that is not
  * for any start. */
 unsigned qtr_policy_region(const qtr_policy *policy, qtr_cell cell);
+
+QTR_C_END
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "quarter/status.h"
 
+QTR_C_BEGIN
+
 /* Knuth's linear congruential generator (MMIX), for draws of a few: 0..below-1, from the better half of its bits. */
 static inline uint32_t qtr_lcg_below(uint64_t *state, uint32_t below) {
   QTR_ASSERT(below > 0); /* there is a number to draw */
@@ -26,5 +28,7 @@ static inline uint64_t qtr_splitmix_next(uint64_t *state) {
 static inline double qtr_splitmix_unit(uint64_t *state) {
   return (double)(qtr_splitmix_next(state) >> 11) * (1.0 / 9007199254740992.0);
 }
+
+QTR_C_END
 
 #endif

@@ -19,6 +19,8 @@
 #include "quarter/status.h"
 #include "quarter/watch.h"
 
+QTR_C_BEGIN
+
 /* `likelihood` stretches the distance of two places that are not alike, as it does between the places of a spot: times
  * 1 + likelihood * (P_max / P_min - 1). Two that are then further apart than the diameter are in different regions, so
  * that a likely place is not taken for where an unlikely one lies. Stretching only ever keeps apart: limits, distances
@@ -90,5 +92,7 @@ static inline qtr_cell qtr_regions_standing(const qtr_regions *regions, qtr_cell
   const qtr_region region = qtr_regions_of(regions, cell);
   return region < regions->count ? regions->representative[region] : QTR_NO_CELL;
 }
+
+QTR_C_END
 
 #endif

@@ -30,6 +30,8 @@
 #include "quarter/policy.h"
 #include "quarter/signal.h"
 
+QTR_C_BEGIN
+
 /* One bit for each seeker. */
 typedef struct {
   uint32_t word[(QTR_MAX_SEEKERS + 31) / 32];
@@ -144,5 +146,7 @@ int32_t qtr_seeker_save(const qtr_seeker *seeker, uint8_t *bytes, uint32_t size)
   qtr_seeker_restore_built(seeker, policy, self, bytes, size, QTR_CONFIG_ID)
 int qtr_seeker_restore_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const uint8_t *bytes,
                              uint32_t size, uint32_t config_id);
+
+QTR_C_END
 
 #endif

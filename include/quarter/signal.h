@@ -10,6 +10,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "quarter/config.h"
+
+QTR_C_BEGIN
+
 enum qtr_signal_kind {
   QTR_SIGNAL_FOUND = 1,         /* the target is found: everyone stops */
   QTR_SIGNAL_TERRITORY_DONE = 2 /* every place of a territory has been scanned: nobody need go there any more */
@@ -27,5 +31,7 @@ typedef struct {
 void qtr_signal_write(const qtr_signal *signal, uint8_t *bytes);
 /* False, with nothing written, if that many bytes are no signal. */
 bool qtr_signal_read(qtr_signal *signal, const uint8_t *bytes, uint32_t size);
+
+QTR_C_END
 
 #endif

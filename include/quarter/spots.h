@@ -12,6 +12,8 @@
 #include "quarter/config.h"
 #include "quarter/objective.h"
 
+QTR_C_BEGIN
+
 /* What spots are made and toured on: a view, which owns nothing. Nodes are numbered as on the board: places first. */
 typedef struct {
   uint16_t places;           /* 1..QTR_MAX_PLACES */
@@ -101,5 +103,7 @@ bool qtr_spot_tour_nearest(qtr_spot_tour *tour, const qtr_spot_ground *ground, u
  * False if there is no such tour, or an argument is out of range as above; it is undefined then. */
 bool qtr_spot_tour_best(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,
                         unsigned count, int exit, double rest, qtr_spot_scratch *scratch);
+
+QTR_C_END
 
 #endif

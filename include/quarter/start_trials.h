@@ -17,6 +17,8 @@
 #include "quarter/game.h"
 #include "quarter/policy.h"
 
+QTR_C_BEGIN
+
 #define QTR_START_TRIALS 100       /* that are made, */
 #define QTR_START_TRIES_MOST 10000 /* of so many draws: not all cells will do */
 
@@ -39,5 +41,7 @@ bool qtr_start_trials_next(qtr_start_trials *trials, const qtr_policy *policy, c
 
 /* The best play that was found in the rest's game is worth `best`. */
 void qtr_start_trials_add(qtr_start_trials *trials, const qtr_policy *policy, const qtr_game *game, double best);
+
+QTR_C_END
 
 #endif

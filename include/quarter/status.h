@@ -2,10 +2,16 @@
 #ifndef QUARTER_STATUS_H
 #define QUARTER_STATUS_H
 
+#include "quarter/config.h"
+
+QTR_C_BEGIN
+
 #define QTR_VERSION_MAJOR 0
 #define QTR_VERSION_MINOR 1
 #define QTR_VERSION_PATCH 0
 #define QTR_VERSION_STRING "0.1.0"
+/* As one number, which #if can compare: a byte each, as a table says who wrote it. */
+#define QTR_VERSION (QTR_VERSION_MAJOR * 65536L + QTR_VERSION_MINOR * 256L + QTR_VERSION_PATCH)
 
 enum {
   QTR_OK = 0,
@@ -32,6 +38,9 @@ enum {
   QTR_ERR_SAVE = -21         /* save: torn, or of another robot, table or format */
 };
 
+/* QTR_VERSION of the library that is linked. */
+uint32_t qtr_version(void);
+
 /* One line of English for a status, never NULL; static storage. */
 const char *qtr_strerror(int status);
 
@@ -53,5 +62,7 @@ const char *qtr_strerror(int status);
 #define QTR_ASSERT(condition) ((void)(0 && (condition)))
 #endif
 #endif
+
+QTR_C_END
 
 #endif

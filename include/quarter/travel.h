@@ -11,6 +11,8 @@
 #include "quarter/grid.h"
 #include "quarter/status.h"
 
+QTR_C_BEGIN
+
 /* Travel times from every cell to one target. Large: keep it in static storage. */
 typedef struct {
   qtr_steps to_go[QTR_MAX_CELLS]; /* QTR_NEVER where the target cannot be reached */
@@ -28,5 +30,7 @@ int qtr_travel_fill_built(qtr_travel *travel, const qtr_grid *grid, qtr_cell tar
 /* The cell to enter next on a shortest path from `cell` to the travel's target: the first in the order N, E, S, W.
  * `cell` itself at the target; QTR_NO_CELL where the target cannot be reached, and for a cell outside the grid. */
 qtr_cell qtr_travel_next(const qtr_travel *travel, const qtr_grid *grid, qtr_cell cell);
+
+QTR_C_END
 
 #endif

@@ -7,6 +7,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "quarter/config.h"
+
+QTR_C_BEGIN
+
 /* Asked after at most some 100,000 operations; only the travel times to one place and the doubling of the Q-table are
  * never broken off. Who says no must go on saying no until the function that was called has returned. What comes of a stop
  * each function says. Asking changes nothing else: a run that is not stopped repeats bit for bit, watched or not. */
@@ -18,5 +22,7 @@ typedef struct {
 static inline bool qtr_watch_go_on(const qtr_watch *watch) {
   return watch->go_on == NULL || watch->go_on(watch->context);
 }
+
+QTR_C_END
 
 #endif

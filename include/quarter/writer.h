@@ -6,6 +6,8 @@
 
 #include "quarter/learner.h"
 
+QTR_C_BEGIN
+
 /* What a table is made of; all pointers are the caller's. */
 typedef struct {
   const qtr_mission *mission;
@@ -27,5 +29,7 @@ uint32_t qtr_table_size(const qtr_table_content *content);
 /* Write a table to `bytes`, which holds `size`, and open it once to be sure that a robot will. Returns the bytes written,
  * or QTR_ERR_SPACE, or an error of qtr_policy_open(). */
 int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32_t size);
+
+QTR_C_END
 
 #endif

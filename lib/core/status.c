@@ -24,6 +24,10 @@ static const char *const texts[] = {"success",
                                     "stopped before the work was done",
                                     "the save is torn, or of another robot or table"};
 
+uint32_t qtr_version(void) {
+  return QTR_VERSION;
+}
+
 const char *qtr_strerror(int status) {
   const int count = (int)(sizeof texts / sizeof texts[0]);
   return status <= 0 && status > -count ? texts[-status] : "unknown status";

@@ -70,7 +70,7 @@ static int check_records(const qtr_policy *policy) {
   for (uint32_t r = 0; r < policy->records; r++, record += shape->bytes) {
     if (r > 0 && record_compare(record, record - shape->bytes, shape) <= 0) return QTR_ERR_CORRUPT;
     const uint16_t choice = record_choice(record, shape);
-    for (unsigned spare = shape->key_bytes + shape->choice_bytes; spare < shape->bytes; spare++)
+    for (unsigned spare = (unsigned)shape->key_bytes + shape->choice_bytes; spare < shape->bytes; spare++)
       if (record[spare] != 0) return QTR_ERR_CORRUPT;
     if (choice >= policy->board.places && choice != QTR_STAND_DOWN) return QTR_ERR_CORRUPT;
   }

@@ -43,5 +43,5 @@ void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy) {
 
 unsigned qtr_claim_number(const qtr_claim *claim, const qtr_policy *policy, unsigned place) {
   if (claim->numbers == NULL || place >= policy->board.places) return place;
-  return load16_le(claim->numbers + 2 * place);
+  return (unsigned)load16_le(claim->numbers + 2 * place);
 }

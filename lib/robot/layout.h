@@ -109,9 +109,10 @@ void qtr_layout_find(table_layout *layout, const table_dimensions *dimensions);
 
 /* Format 1 has whole words, and 2 bytes of 0 at the end; since then a key and a choice take the bytes that they need. */
 static inline qtr_record_shape record_shape_of(unsigned format, const qtr_board *board) {
-  const uint8_t key_bytes = format == 1 ? (uint8_t)(4u * board->keys.words) : (uint8_t)((board->keys.bits + 7u) / 8u);
-  const uint8_t choice_bytes = format != 1 && board->places < 255 ? 1 : 2;
-  return (qtr_record_shape){key_bytes, choice_bytes, (uint8_t)(key_bytes + (format == 1 ? 4u : choice_bytes))};
+  const unsigned key_bytes = format == 1 ? 4u * board->keys.words : (board->keys.bits + 7u) / 8u;
+  const unsigned choice_bytes = format != 1 && board->places < 255 ? 1u : 2u;
+  const unsigned bytes = key_bytes + (format == 1 ? 4u : choice_bytes);
+  return (qtr_record_shape){(uint8_t)key_bytes, (uint8_t)choice_bytes, (uint8_t)bytes};
 }
 
 static inline uint16_t record_choice(const uint8_t *record, const qtr_record_shape *shape) {

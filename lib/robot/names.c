@@ -1,6 +1,7 @@
 #include "quarter/names.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "core/bytes.h"
@@ -26,7 +27,7 @@ void qtr_names_write(uint8_t *bytes, const char *mission) {
   store32_le(bytes + SIZE_AT, size);
   store16_le(bytes + HEAD, MISSION_NAME);
   store16_le(bytes + HEAD + 2, size - HEAD - ENTRY);
-  memcpy(bytes + HEAD + ENTRY, mission, size - HEAD - ENTRY);
+  memcpy(bytes + HEAD + ENTRY, mission, (size_t)(size - HEAD - ENTRY));
   store32_le(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
@@ -37,7 +38,7 @@ static bool is_whole(const uint8_t *bytes, uint32_t size) {
 
 static void take(char *mission, uint32_t what, const uint8_t *text, uint32_t length) {
   if (what != MISSION_NAME || length >= QTR_NAME_BYTES) return;
-  memcpy(mission, text, length);
+  memcpy(mission, text, (size_t)length);
   mission[length] = '\0';
 }
 

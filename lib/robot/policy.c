@@ -19,5 +19,5 @@ uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place) {
 
 unsigned qtr_policy_region(const qtr_policy *policy, qtr_cell cell) {
   if (policy->regions == NULL || cell >= qtr_grid_cells(&policy->grid)) return QTR_POLICY_NO_REGION;
-  return load16_le(policy->regions + 2 * (uint32_t)cell);
+  return (unsigned)load16_le(policy->regions + 2 * (uint32_t)cell);
 }

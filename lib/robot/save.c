@@ -35,7 +35,7 @@ static uint8_t *store_bits(uint8_t *bytes, const uint32_t *word, unsigned member
 
 /* Of the last byte, only the members that there are. */
 static const uint8_t *load_bits(const uint8_t *bytes, uint32_t *word, unsigned members) {
-  for (uint32_t i = 0; i < bits_size(members); i++) {
+  for (unsigned i = 0; i < bits_size(members); i++) {
     const unsigned here = members - 8u * i;
     bits_add(word, i, (uint8_t)(here < 8 ? *bytes & ((1u << here) - 1u) : *bytes));
     bytes++;

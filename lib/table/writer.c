@@ -143,8 +143,7 @@ static void write_dimensions(uint8_t *bytes, const qtr_table_content *content, u
 static void write_certificate(uint8_t *bytes, const qtr_table_content *content) {
   const qtr_certificate *certificate = content->certificate;
   bytes[QTR_POLICY_CERTIFIED] = certificate->certified;
-  store32_le(bytes + QTR_POLICY_PRODUCER,
-             (uint32_t)QTR_VERSION_MAJOR << 16 | (uint32_t)QTR_VERSION_MINOR << 8 | (uint32_t)QTR_VERSION_PATCH);
+  store32_le(bytes + QTR_POLICY_PRODUCER, QTR_VERSION);
   store64_le(bytes + QTR_POLICY_SEED, content->seed);
   store_double(bytes + QTR_POLICY_GAMMA, content->mission->aim.gamma);
   store_double(bytes + QTR_POLICY_VALUE, certificate->value);

@@ -341,6 +341,7 @@ static void test_objectives_are_two(void) {
 }
 
 static void test_status_of_any_number_has_a_text(void) {
+  TEST_ASSERT_EQUAL_UINT32(QTR_VERSION, qtr_version());
   for (unsigned number = 0; number < 2000; number++) {
     test_random random = random_case("status", number);
     TEST_ASSERT_GREATER_THAN(0, strlen(qtr_strerror((int)any_number(&random, 20))));

@@ -58,6 +58,13 @@ static void test_version_string_is_the_version_numbers(void) {
   TEST_ASSERT_EQUAL_STRING(text, QTR_VERSION_STRING);
 }
 
+static void test_version_as_a_number_is_that_of_the_linked_library(void) {
+  TEST_ASSERT_EQUAL_UINT32(QTR_VERSION, qtr_version());
+  TEST_ASSERT_EQUAL_UINT32(QTR_VERSION_MAJOR, qtr_version() >> 16);
+  TEST_ASSERT_EQUAL_UINT32(QTR_VERSION_MINOR, qtr_version() >> 8 & 0xFFu);
+  TEST_ASSERT_EQUAL_UINT32(QTR_VERSION_PATCH, qtr_version() & 0xFFu);
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_success_is_zero_and_errors_are_negative);
@@ -65,5 +72,6 @@ int main(void) {
   RUN_TEST(test_texts_say_what_their_codes_mean);
   RUN_TEST(test_numbers_that_are_no_codes_are_unknown);
   RUN_TEST(test_version_string_is_the_version_numbers);
+  RUN_TEST(test_version_as_a_number_is_that_of_the_linked_library);
   return UNITY_END();
 }
