@@ -9,6 +9,7 @@
 #include "host/base/file.h"
 #include "host/base/json.h"
 #include "host/base/outfile.h"
+#include "host/base/stop.h"
 #include "host/input/frame.h"
 #include "host/input/read.h"
 #include "options.h"
@@ -39,8 +40,9 @@ static const option_line lines[] = {
     {NULL, NULL, 0},
 };
 
-static const char outro[] = "\n"
-                            "Exit status: 0 done; 2 bad input, nothing written.\n";
+static const char outro[] =
+    "\n"
+    "Exit status: 0 done; 2 bad input, nothing written; " STATUS_OF_SIGNAL("nothing half-written");
 
 static const option_set set = {"belief", intro, outro, option_records, lines};
 
@@ -273,6 +275,7 @@ int command_belief(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return option_help(stdout, &set);
+  stop_at_once();
   memset(&estimated, 0, sizeof estimated);
   estimated.o = &o;
   if (o.belief != NULL && strcmp(o.belief, "-") == 0) {

@@ -10,6 +10,7 @@
 #include "host/base/json.h"
 #include "host/base/memory.h"
 #include "host/base/outfile.h"
+#include "host/base/stop.h"
 #include "host/plan/problem.h"
 #include "host/table/certificate.h"
 #include "host/table/table.h"
@@ -44,8 +45,9 @@ static const option_line lines[] = {
     {NULL, NULL, 0},
 };
 
-static const char outro[] = "\n"
-                            "Exit status: 0 done; 2 bad input, nothing written.\n";
+static const char outro[] =
+    "\n"
+    "Exit status: 0 done; 2 bad input, nothing written; " STATUS_OF_SIGNAL("nothing half-written");
 
 static const option_set set = {"draw", intro, outro, option_records, lines};
 
@@ -342,6 +344,7 @@ int command_draw(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return option_help(stdout, &set);
+  stop_at_once();
   const int status = draw(&o, &why);
   free_sheet(&picture);
   return status == 0 ? EXIT_SUCCESS : fault_exit(&why);

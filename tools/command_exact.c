@@ -7,6 +7,7 @@
 #include "host/base/clock.h"
 #include "host/base/memory.h"
 #include "host/base/outfile.h"
+#include "host/base/stop.h"
 #include "prepare.h"
 #include "report.h"
 
@@ -24,8 +25,9 @@ static const option_line lines[] = {
     OPTION_LINES_OF_ANSWER,
 };
 
-static const char outro[] = "\n"
-                            "Exit status: 0 done; 2 bad input, or more places than this takes.\n";
+static const char outro[] =
+    "\n"
+    "Exit status: 0 done; 2 bad input, or more places than this takes; " STATUS_OF_SIGNAL("nothing written");
 
 static const option_set set = {"exact", intro, outro, option_records, lines};
 
@@ -90,5 +92,6 @@ int command_exact(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return option_help(stdout, &set);
+  stop_at_once();
   return solve(&o, &r, &why) == 0 ? EXIT_SUCCESS : fault_exit(&why);
 }

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
+#include "host/base/stop.h"
 #include "host/input/words.h"
 #include "host/table/certificate.h"
 #include "host/table/table.h"
@@ -26,7 +27,7 @@ static const option_line lines[] = {
 };
 
 static const char outro[] = "\n"
-                            "Exit status: 0 a sound table; 2 not one.\n";
+                            "Exit status: 0 a sound table; 2 not one; " STATUS_OF_SIGNAL("nothing half-written");
 
 static const option_set set = {"inspect", intro, outro, option_records, lines};
 
@@ -171,6 +172,7 @@ int command_inspect(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return option_help(stdout, &set);
+  stop_at_once();
   if (table_read(&i.t, o.input, &why) != 0 || products_check(&o, &why) != 0) return fault_exit(&why);
   table_routes(&i.t, i.routes);
   number_routes(&i);

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
+#include "host/base/stop.h"
 #include "host/plan/simulation.h"
 #include "print.h"
 #include "products.h"
@@ -33,7 +34,8 @@ static const char outro[] =
     "first visits earn (expected_time null if a place was left).\n"
     "Places have the numbers that the input gave them.\n"
     "\n"
-    "Exit status: 0 found, or all places visited; 2 bad input; 4 places were left unvisited and no target was found.\n";
+    "Exit status: 0 found, or all places visited; 2 bad input; 4 places were left unvisited and no target was "
+    "found;\n" STATUS_OF_SIGNAL("nothing half-written");
 
 static const option_set set = {"simulate", intro, outro, option_records, lines};
 
@@ -189,6 +191,7 @@ int command_simulate(int argc, char **argv) {
   fault why;
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return option_help(stdout, &set);
+  stop_at_once();
   if (table_read(&a.t, o.input, &why) != 0) return fault_exit(&why);
   const int status = simulate(&a, &why);
   const bool left = a.s.found_step == QTR_NEVER && count_left(&a) > 0;

@@ -36,8 +36,8 @@ static const option_line lines[] = {
 
 static const char outro[] =
     "\n"
-    "Exit status: 0 done; 2 bad input, or nothing that fits the budget; " STATUS_OF_EARLY_END(
-        "the first\n") "130 (143) ended by Ctrl-C (SIGTERM), what was tried until then is reported.\n";
+    "Exit status: 0 done; 2 bad input, or nothing that fits the budget; " STATUS_OF_EARLY_END("the first\n")
+        STATUS_OF_SIGNAL("what was tried until then is reported");
 
 static const option_set set = {"tune", intro, outro, option_records, lines};
 

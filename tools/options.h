@@ -46,6 +46,7 @@ extern option_table option_records;
  * status 3 of the former says. `first` is what there was not, broken where its help has room. */
 #define OPTION_LINES_OF_REPORT OPTION_LINE("json"), OPTION_LINE("quiet"), {NULL, NULL, 0}
 #define OPTION_LINES_OF_ANSWER OPTION_LINE("json"), {"quiet", "no report but JSON", 0}, {NULL, NULL, 0}
+#define STATUS_OF_SIGNAL(what) "130 (143) ended by Ctrl-C (SIGTERM), " what ".\n"
 #define STATUS_OF_EARLY_END(first) "3 ended by the limit or a signal before " first "plan, nothing written; "
 
 /* What is asked for where nothing is said. */

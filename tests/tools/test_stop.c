@@ -1,6 +1,7 @@
 /* The host tool ended early, by a time limit or by a signal at any moment from its first: a policy that is whole and says why
  * it ended, or nothing written and an exit status of its own. Moments are counted in the tool's own processor time, so that a
  * loaded machine sees the same ones. */
+#include <dirent.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdint.h>
@@ -11,6 +12,8 @@
 #include "support/tool_run.h"
 
 #define LONG QUARTER_SOURCE_DIR "/tests/data/long.txt"
+#define SHORT QUARTER_SOURCE_DIR "/demo/missions/minefield/mission.yaml"
+#define EXACT QUARTER_SOURCE_DIR "/tests/data/reference/case12.txt"
 
 static tool_result result, other;
 
@@ -208,6 +211,75 @@ static void test_tuning_reports_what_was_tried_in_time(void) {
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(result.out, "interrupted"), result.out);
 }
 
+/* ---- commands that have nothing to show before their end ---- */
+
+static int is_temporary(const struct dirent *entry) {
+  return strncmp(entry->d_name, "made.", 5) == 0 && strlen(entry->d_name) > 9;
+}
+
+/* Files of the test's folder that stand beside the name they are to get, "made.csv.sv4gYw". */
+static int count_temporary(void) {
+  struct dirent **found;
+  const int count = scandir(".", &found, is_temporary, alphasort);
+  for (int i = 0; i < count; i++) free(found[i]);
+  if (count >= 0) free(found);
+  return count;
+}
+
+/* `words`, told to write made.*, end whole with 0 or at once with the signal's status. */
+static void end_at_many_moments(const char *const *words, const char *made) {
+  static const long moments[] = {-1, 0, 1, 2, 3, 5, 8, 13, 21};
+  write_file("games.csv", "place\n1\n2\n");
+  run_tool(&other, "learn %s -o t.qtr -q", SHORT);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, other.status, other.err);
+  for (size_t i = 0; i < sizeof moments / sizeof moments[0]; i++) {
+    char note[64];
+    const int number = i % 2 == 0 ? SIGINT : SIGTERM;
+    snprintf(note, sizeof note, "%s, signal %d at %ld ms", words[1], number, moments[i]);
+    remove(made);
+    run_signalled(words, number, moments[i]);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, count_temporary(), note);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE("", result.err, note);
+    if (result.status == 0) TEST_ASSERT_TRUE_MESSAGE(exists(made), note);
+    if (result.status != 0) TEST_ASSERT_EQUAL_INT_MESSAGE(128 + number, result.status, note);
+    if (moments[i] < 0) TEST_ASSERT_FALSE_MESSAGE(exists(made), note);
+  }
+}
+
+static void test_a_signal_ends_commands_that_answer_at_once(void) {
+  end_at_many_moments((const char *const[]){"quarter", "exact", EXACT, "--json=made.json", NULL}, "made.json");
+  end_at_many_moments((const char *const[]){"quarter", "draw", "t.qtr", "-o", "made.svg", "-q", NULL}, "made.svg");
+  end_at_many_moments((const char *const[]){"quarter", "simulate", "t.qtr", "--json=made.json", NULL}, "made.json");
+  end_at_many_moments((const char *const[]){"quarter", "inspect", "t.qtr", "--json=made.json", NULL}, "made.json");
+  end_at_many_moments(
+      (const char *const[]){"quarter", "belief", SHORT, "--history", "games.csv", "-o", "made.csv", "-q", NULL},
+      "made.csv");
+}
+
+/* `belief` opens all that it writes before it writes: here it waits for a reader of the pipe, with made.csv begun. */
+static void test_a_file_that_a_signal_finds_half_written_goes(void) {
+  static const char *const words[] = {"quarter", "belief",   SHORT,         "--history", "games.csv",
+                                      "-o",      "made.csv", "--json=pipe", NULL};
+  int status = 0;
+  write_file("games.csv", "place\n1\n2\n");
+  write_file("made.csv", "as it was\n");
+  remove("pipe");
+  TEST_ASSERT_EQUAL_INT(0, mkfifo("pipe", 0600));
+  fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) start_tool(words, 0);
+  while (!has_ended(child) && count_temporary() == 0) sched_yield();
+  TEST_ASSERT_FALSE(has_ended(child));
+  kill(child, SIGTERM);
+  TEST_ASSERT_EQUAL_INT(child, waitpid(child, &status, 0));
+  TEST_ASSERT_TRUE(WIFEXITED(status));
+  TEST_ASSERT_EQUAL_INT(143, WEXITSTATUS(status));
+  TEST_ASSERT_EQUAL_INT(0, count_temporary());
+  read_text("made.csv", result.out, sizeof result.out);
+  TEST_ASSERT_EQUAL_STRING("as it was\n", result.out);
+  remove("made.csv");
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_a_signal_at_any_moment_ends_the_search_with_the_best_policy);
@@ -218,5 +290,7 @@ int main(void) {
   RUN_TEST(test_a_time_limit_of_any_length_gives_a_policy_or_none);
   RUN_TEST(test_a_table_for_any_start_holds_what_was_learnt_in_time);
   RUN_TEST(test_tuning_reports_what_was_tried_in_time);
+  RUN_TEST(test_a_signal_ends_commands_that_answer_at_once);
+  RUN_TEST(test_a_file_that_a_signal_finds_half_written_goes);
   return UNITY_END();
 }

@@ -3,6 +3,7 @@
 #include "host/base/outfile.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -62,13 +63,54 @@ static mode_t mode_of(const outfile *out) {
   return stat(out->target, &about) == 0 ? about.st_mode & 0777 : 0666 & ~mask;
 }
 
+/* ---- temporary files, known to whoever ends the program ---- */
+
+static outfile *volatile under_way;
+
+/* No signal sees a file that is there and not in the list, or a list that is half changed. */
+static sigset_t hold_signals(void) {
+  sigset_t all, before;
+  sigfillset(&all);
+  sigprocmask(SIG_BLOCK, &all, &before);
+  return before;
+}
+
+static int make_temporary(outfile *out) {
+  const sigset_t before = hold_signals();
+  const int descriptor = mkstemp(out->temporary);
+  const int error = errno;
+  if (descriptor >= 0) {
+    out->next = under_way;
+    under_way = out;
+  }
+  sigprocmask(SIG_SETMASK, &before, NULL);
+  errno = error;
+  return descriptor;
+}
+
+/* It gets its target's name, or goes. 0 or an errno: then it has gone. */
+static int end_temporary(outfile *out, bool keep) {
+  const sigset_t before = hold_signals();
+  const int error = keep && rename(out->temporary, out->target) != 0 ? errno : 0;
+  if (!keep || error != 0) unlink(out->temporary);
+  if (under_way == out) under_way = out->next;
+  for (outfile *at = under_way; at != NULL; at = at->next)
+    if (at->next == out) at->next = out->next;
+  sigprocmask(SIG_SETMASK, &before, NULL);
+  return error;
+}
+
+void outfile_abort_all(void) {
+  for (const outfile *out = under_way; out != NULL; out = out->next) unlink(out->temporary);
+}
+
 static int open_temporary(outfile *out, fault *why) {
   const int length = snprintf(out->temporary, sizeof out->temporary, "%s.XXXXXX", out->target);
   if (out->target[0] == '\0' || length < 0 || (size_t)length >= sizeof out->temporary) {
     out->temporary[0] = '\0';
     return cannot_write(out, out->path[0] == '\0' ? ENOENT : ENAMETOOLONG, why);
   }
-  const int descriptor = mkstemp(out->temporary);
+  const int descriptor = make_temporary(out);
   if (descriptor < 0) {
     out->temporary[0] = '\0';
     return cannot_write(out, errno, why);
@@ -78,13 +120,13 @@ static int open_temporary(outfile *out, fault *why) {
   if (out->file != NULL) return 0;
   const int error = errno;
   close(descriptor);
-  unlink(out->temporary);
+  end_temporary(out, false);
   return cannot_write(out, error, why);
 }
 
 int outfile_open(outfile *out, const char *path, fault *why) {
   struct stat about;
-  *out = (outfile){NULL, path, "", ""};
+  *out = (outfile){NULL, path, "", "", NULL};
   if (strcmp(path, "-") == 0 || is_device_name(path)) return open_directly(out, why);
   const bool exists = stat(path, &about) == 0;
   if (file_was_read(path)) return fault_set(why, "%s: is what is read; name another file", path);
@@ -143,16 +185,18 @@ static int close_file(outfile *out) {
 
 int outfile_commit(outfile *out, fault *why) {
   int error = close_file(out);
-  if (error == 0 && out->temporary[0] != '\0' && rename(out->temporary, out->target) != 0) error = errno;
+  if (out->temporary[0] != '\0') {
+    const int failed = end_temporary(out, error == 0);
+    if (error == 0) error = failed;
+  }
   if (error == 0) return 0;
-  if (out->temporary[0] != '\0') unlink(out->temporary);
   return cannot_write(out, error, why);
 }
 
 void outfile_abort(outfile *out) {
   if (out->file == NULL) return;
   if (out->file != stdout) fclose(out->file);
-  if (out->temporary[0] != '\0') unlink(out->temporary);
+  if (out->temporary[0] != '\0') end_temporary(out, false);
   out->file = NULL;
 }
 

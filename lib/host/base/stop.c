@@ -7,16 +7,22 @@
 #include <unistd.h>
 
 #include "host/base/clock.h"
+#include "host/base/outfile.h"
 
 static volatile sig_atomic_t interrupted; /* the signal's number */
 static volatile sig_atomic_t late;        /* the limit has passed */
 static double begin;
 
+static void end(int number) {
+  outfile_abort_all();
+  _exit(128 + number);
+}
+
 /* Not the second signal ends the program, for some senders, timeout(1) among them, send everything twice. */
 static void on_interrupt(int number) {
   static volatile sig_atomic_t count;
   interrupted = number;
-  if (++count >= 3) _exit(128 + number);
+  if (++count >= 3) end(number);
 }
 
 static void on_limit(int number) {
@@ -32,18 +38,26 @@ static void catch (int number, void (*handler)(int)) {
   sigaction(number, &action, NULL);
 }
 
-void stop_begin(void) {
+static void catch_ends(void (*handler)(int)) {
   sigset_t all;
-  begin = clock_seconds();
-  catch (SIGINT, on_interrupt);
-  catch (SIGTERM, on_interrupt);
-  catch (SIGALRM, on_limit);
+  catch (SIGINT, handler);
+  catch (SIGTERM, handler);
   /* Whoever started this may have held them back until now. */
   sigemptyset(&all);
   sigaddset(&all, SIGINT);
   sigaddset(&all, SIGTERM);
   sigaddset(&all, SIGALRM);
   sigprocmask(SIG_UNBLOCK, &all, NULL);
+}
+
+void stop_at_once(void) {
+  catch_ends(end);
+}
+
+void stop_begin(void) {
+  begin = clock_seconds();
+  catch (SIGALRM, on_limit);
+  catch_ends(on_interrupt);
 }
 
 /* A timer, and not the clock looked at: the core asks millions of times a second. */

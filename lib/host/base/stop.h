@@ -1,4 +1,5 @@
-/* What ends a long run early: a time limit, Ctrl-C, SIGTERM. Whoever works long asks from time to time. */
+/* What ends a run early: a time limit, Ctrl-C, SIGTERM. Whoever works long and has something to show asks from time to time;
+ * whoever has nothing before the end is ended at once. */
 #ifndef QUARTER_HOST_STOP_H
 #define QUARTER_HOST_STOP_H
 
@@ -6,6 +7,9 @@
 
 #include "host/base/fault.h"
 #include "quarter/watch.h"
+
+/* From now on Ctrl-C and SIGTERM end the program at once, with exit status 130 or 143, and no file is left half-written. */
+void stop_at_once(void);
 
 /* From now on Ctrl-C and SIGTERM do not end the program but are noted, also if they came before; a third one ends it at
  * once. The clock of the time limit starts. */
