@@ -161,6 +161,12 @@ static void *read_whole(const char *path, uint32_t *size, const char **why) {
   return bytes;
 }
 
+/* As a host does, for a table may come from anywhere. */
+static int open_table(const void *bytes, uint32_t size) {
+  const int status = qtr_policy_open(&policy, bytes, size);
+  return status == QTR_OK ? qtr_policy_check(&policy) : status;
+}
+
 int main(int argc, char **argv) {
   words w;
   uint32_t size = 0;
@@ -171,7 +177,7 @@ int main(int argc, char **argv) {
   const char *unread;
   void *bytes = read_whole(w.table, &size, &unread);
   if (bytes == NULL) return complain(w.table, unread);
-  int status = qtr_policy_open(&policy, bytes, size);
+  int status = open_table(bytes, size);
   if (status != QTR_OK) return complain(w.table, qtr_strerror(status));
   if (table_check(&policy, w.table, &why) != 0) return refuse(&why);
   status = qtr_seeker_init(&seeker, &policy, w.self, NULL, w.run);

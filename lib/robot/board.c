@@ -62,7 +62,7 @@ int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
   for (unsigned i = 0; i < board->seekers; i++) board->keys.kind[i] = 0; /* all travel alike */
   board->keys.longest = find_longest(board);
   /* Sums over a whole game must fit qtr_steps. */
-  if (board->keys.longest > (QTR_NEVER - 1) / (board->places + 1u)) return QTR_ERR_LIMIT;
+  if ((uint64_t)board->keys.longest * (board->places + 1u) > QTR_NEVER - 1u) return QTR_ERR_LIMIT;
   qtr_key_measure(&board->keys);
   return QTR_OK;
 }

@@ -28,13 +28,10 @@ static int check_padding(const qtr_policy *policy) {
   return policy->grid.cells[cells / 8] >> (cells % 8) == 0 ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
-static int check_nodes(const qtr_policy *policy) {
-  const uint32_t cells = qtr_grid_cells(&policy->grid);
-  for (uint32_t node = 0; node < qtr_board_nodes(&policy->board); node++) {
-    const uint8_t *at = policy->cells + policy->cell_bytes * node;
-    const uint32_t cell = policy->cell_bytes == 2 ? load16_le(at) : load32_le(at);
-    if (cell >= cells || qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) return QTR_ERR_CORRUPT;
-  }
+/* Robots drive to free cells. */
+static int check_free(const qtr_policy *policy) {
+  for (unsigned node = 0; node < qtr_board_nodes(&policy->board); node++)
+    if (qtr_grid_cost(&policy->grid, qtr_policy_cell(policy, node)) == 0) return QTR_ERR_CORRUPT;
   return QTR_OK;
 }
 
@@ -78,7 +75,7 @@ static int check_records(const qtr_policy *policy) {
 }
 
 int qtr_check_sections(const qtr_policy *policy) {
-  static int (*const checks[])(const qtr_policy *) = {check_place_in_world, check_padding, check_nodes,
+  static int (*const checks[])(const qtr_policy *) = {check_place_in_world, check_padding, check_free,
                                                       check_weights,        check_regions, check_records};
   int status = QTR_OK;
   for (unsigned i = 0; i < sizeof checks / sizeof checks[0] && status == QTR_OK; i++) status = checks[i](policy);

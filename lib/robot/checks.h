@@ -1,9 +1,11 @@
-/* What a policy that is being opened is checked for, once its sections are found: QTR_OK, or the error of qtr_policy_open()
- * that is named. */
+/* What a policy is checked for: QTR_OK, or the error that is named. The nodes on opening, the rest by qtr_policy_check(). */
 #ifndef QUARTER_CHECKS_H
 #define QUARTER_CHECKS_H
 
 #include "quarter/policy.h"
+
+/* Every node lies on the grid: QTR_ERR_CORRUPT. */
+int qtr_check_nodes(const qtr_policy *policy);
 
 /* Every number lies in its range, and bytes that mean nothing are 0: QTR_ERR_CORRUPT. */
 int qtr_check_sections(const qtr_policy *policy);

@@ -3,7 +3,6 @@
 #include <stddef.h>
 
 #include "quarter/nominal.h"
-#include "quarter/status.h"
 
 void qtr_division_begin(qtr_division *division, const qtr_policy *policy, const qtr_deployment *deployment) {
   division->moves = 0;
@@ -23,8 +22,7 @@ bool qtr_division_play(qtr_division *division, const qtr_policy *policy) {
   division->off_table += off_table;
   qtr_joint_choose(joint, &policy->board, seeker, choice);
   if (choice == QTR_STAND_DOWN) return true;
-  QTR_ASSERT(division->moves < QTR_MAX_MOVES); /* as is said where it is defined */
-  if (division->moves == QTR_MAX_MOVES) return false;
+  if (division->moves == QTR_MAX_MOVES) return false; /* only by travel times that no map gives */
   division->place[division->moves] = choice;
   division->seeker[division->moves++] = (uint8_t)seeker;
   return true;

@@ -137,13 +137,6 @@ static int find_the_rest(qtr_policy *policy) {
   return QTR_OK;
 }
 
-static int check_content(const qtr_policy *policy) {
-  int status = qtr_check_sections(policy);
-  if (status == QTR_OK) status = qtr_check_travel(policy);
-  if (status == QTR_OK) status = qtr_check_certificate(policy);
-  return status;
-}
-
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   int status = check_frame(policy, bytes, size);
@@ -152,7 +145,7 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
   if (status == QTR_OK) status = read_dimensions(policy);
   if (status == QTR_OK) status = read_board(policy);
   if (status == QTR_OK) status = find_the_rest(policy);
-  if (status == QTR_OK) status = check_content(policy);
+  if (status == QTR_OK) status = qtr_check_nodes(policy);
   if (status == QTR_OK && qtr_policy_digest(policy) != load32_le(policy->bytes + QTR_POLICY_DIGEST))
     status = QTR_ERR_SELFTEST;
   return status;

@@ -91,7 +91,8 @@ static uint16_t next_on_route(const qtr_seeker *seeker, unsigned territory, bool
 static bool find_target(qtr_seeker *seeker, bool of_the_lost) {
   const unsigned seekers = seekers_of(seeker);
   for (unsigned pass = 0; pass < seekers; pass++) {
-    const unsigned territory = (seeker->self + pass) % seekers;
+    const unsigned next = seeker->self + pass;
+    const unsigned territory = next < seekers ? next : next - seekers;
     if (set_has(&seeker->done, territory)) continue;
     if (pass > 0 && set_has(&seeker->lost, territory) != of_the_lost) continue;
     seeker->target = next_on_route(seeker, territory, pass % 2 == 1);

@@ -251,5 +251,6 @@ int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32
   store32_le(bytes + QTR_POLICY_DIGEST, qtr_policy_digest(&policy));
   seal(bytes, needed);
   status = qtr_policy_open(&policy, bytes, needed);
+  if (status == QTR_OK) status = qtr_policy_check(&policy);
   return status == QTR_OK ? (int32_t)needed : status;
 }

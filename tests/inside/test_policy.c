@@ -26,7 +26,7 @@ static void make_table(void) {
 }
 
 static int open_copy(void) {
-  return qtr_policy_open(&policy, copy, table_size);
+  return table_open_checked(&policy, copy, table_size);
 }
 
 /* ---- damage ---- */
@@ -298,7 +298,7 @@ static void test_forged_tables_are_refused_or_harmless(void) {
     }
     memcpy(copy, table_bytes, table_size);
     for (unsigned changes = random_in(&random, 1, 4); changes > 0; changes--) mutate(&random);
-    const int status = table_forge(&policy, copy, table_size);
+    const int status = table_forge_for_robots(&policy, copy, table_size);
     TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(0, status, case_note);
     if (status != QTR_OK) continue;
     opened++;

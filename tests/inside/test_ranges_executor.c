@@ -140,6 +140,7 @@ static void test_tables_say_what_they_are_of(void) {
     qtr_deployment home;
     qtr_box box = {0, 0, 0, 0};
     open_random("claims", number, &random);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_check(&policy));
     qtr_claim_read(&claim, &policy);
     const unsigned place = any_number(&random, policy.board.places);
     TEST_ASSERT_EQUAL_UINT(place, qtr_claim_number(&claim, &policy, place));

@@ -47,6 +47,7 @@ static inline void table_export(void) {
 static inline void table_open(qtr_policy *policy) {
   memset(policy, 0xA5, sizeof *policy);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_policy_open(policy, table_bytes, table_size), case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_policy_check(policy), case_note);
 }
 
 /* Open the table, and take a copy of it. */

@@ -20,7 +20,8 @@ static const char *mend_of(int status) {
 }
 
 int table_open_bytes(table *t) {
-  const int status = qtr_policy_open(&t->policy, t->bytes.data, (uint32_t)t->bytes.size);
+  int status = qtr_policy_open(&t->policy, t->bytes.data, (uint32_t)t->bytes.size);
+  if (status == QTR_OK) status = qtr_policy_check(&t->policy);
   t->name[0] = '\0';
   if (status == QTR_OK) qtr_claim_read(&t->claim, &t->policy);
   return status;

@@ -28,7 +28,7 @@ typedef struct {
 int table_read(table *t, const char *path, fault *why);
 
 /* Open `t->bytes`, which the caller has filled, without a look at the map: for who has just made them. QTR_OK, or an error of
- * qtr_policy_open(). */
+ * qtr_policy_open() or qtr_policy_check(). */
 int table_open_bytes(table *t);
 
 void table_free(table *t);
