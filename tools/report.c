@@ -1,12 +1,12 @@
 #include "report.h"
 
 #include <inttypes.h>
-#include <math.h>
 
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/stop.h"
 #include "host/input/words.h"
+#include "host/table/certificate.h"
 #include "print.h"
 
 void report_number_routes(report *r) {
@@ -101,8 +101,6 @@ void report_routes(FILE *out, const table_route *route, int seekers) {
   }
 }
 
-#define OPTIMAL 1e-5 /* the gap up to which a certified plan is told as optimal: --gap's default */
-
 /* "expected time 12.5 steps" */
 static void write_figure(FILE *out, uint8_t objective, double figure) {
   const qtr_objective_words *words = qtr_objective_in_words(objective);
@@ -125,14 +123,8 @@ static void write_figures(FILE *out, uint8_t objective, const qtr_certificate *c
 static void write_verdict(FILE *out, const report *r) {
   const qtr_certificate *c = &r->certificate;
   const uint8_t objective = r->p->in.mission.aim.kind;
-  const bool optimal = c->certified && c->gap <= OPTIMAL && c->negligible_places == 0;
-  if (optimal && c->gap < QTR_NEGLIGIBLE)
-    fprintf(out, "certified optimal");
-  else if (c->certified)
-    fprintf(out, optimal ? "certified optimal to %.2g%%" : "certified: within %.2g%% of the optimum",
-            100.0 * fmax(c->gap, QTR_NEGLIGIBLE));
-  else
-    fprintf(out, "not certified: at most %.3g%% from the optimum when it ended (%s)", 100.0 * c->gap, r->ended);
+  certificate_tell(out, c->certified, c->gap, c->negligible_places);
+  if (!c->certified) fprintf(out, " when it ended (%s)", r->ended);
   fputs("; ", out);
   write_figures(out, objective, c);
 }

@@ -9,7 +9,9 @@
 #include "host/base/outfile.h"
 #include "host/base/stop.h"
 #include "host/plan/study.h"
+#include "host/table/certificate.h"
 #include "quarter/export.h"
+#include "quarter/objective.h"
 #include "quarter/status.h"
 
 _Static_assert(DEMO_NAME_SIZE >= INPUT_NAME_SIZE, "a name that an input may have is shown whole");
@@ -122,6 +124,18 @@ static void survey(plan *p) {
   }
 }
 
+/* As the learner counts them when it has made a plan: a table does not hold it. */
+static void count_negligible(plan *p) {
+  static qtr_objective objective;
+  const table_certificate c = table_certificate_of(&p->t.policy);
+  const qtr_aim aim = {c.objective, c.gamma};
+  qtr_objective_init(&objective, &aim);
+  p->negligible = 0;
+  for (unsigned place = 0; place < p->t.policy.board.places; place++)
+    if (p->step[place] != QTR_NEVER)
+      p->negligible += qtr_objective_neglects(&objective, p->likelihood[place], p->step[place], c.figure);
+}
+
 static int save_table(const table *t, const char *path, fault *why) {
   outfile out;
   if (path == NULL) return 0;
@@ -142,6 +156,7 @@ int plan_make(plan *p, const char *table_path, double seconds, const char *save,
   const int status = table_path != NULL ? read_table(&p->t, table_path, why) : learn_table(&p->t, seconds, why);
   if (status != 0) return -1;
   survey(p);
+  count_negligible(p);
   if (save_table(&p->t, save, why) == 0) return 0;
   plan_free(p);
   return -1;

@@ -14,6 +14,7 @@ typedef struct {
   int territory[QTR_MAX_PLACES];  /* seeker whose route holds the place; -1: nobody's */
   qtr_steps step[QTR_MAX_PLACES]; /* of the planned visit; QTR_NEVER: none */
   double expected_step;           /* of the find */
+  int negligible;                 /* places that count for too little to have their order certified */
 } plan;
 
 /* Read the mission that a plan is to be made of. `robots` 0: as it says. 0, or -1 with *why set. */

@@ -1,5 +1,6 @@
 #include "runs.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -14,7 +15,7 @@ static int compare_doubles(const void *a, const void *b) {
 }
 
 double runs_quantile(const runs_figures *f, double share) {
-  if (f->found == 0) return -1.0;
+  if (f->found == 0) return NAN;
   const int at = (int)(share * f->found);
   return f->found_at[at < f->found ? at : f->found - 1];
 }
@@ -64,10 +65,8 @@ static void add(runs_figures *f, const plan *p, const game_result *r, uint64_t s
 }
 
 static void finish(runs_figures *f, const plan *p) {
-  if (f->found > 0) {
-    f->mean /= f->found;
-    f->planned_mean /= f->found;
-  }
+  f->mean = f->found > 0 ? f->mean / f->found : NAN;
+  f->planned_mean = f->found > 0 ? f->planned_mean / f->found : NAN;
   f->expected = p->expected_step * game_step_seconds();
   qsort(f->found_at, (size_t)f->found, sizeof *f->found_at, compare_doubles);
 }

@@ -12,7 +12,7 @@
 typedef struct {
   int games, found, deadlocked; /* deadlocked: games with a robot that made no way for long */
   double *found_at;             /* seconds, of the games in which it was found, in rising order */
-  double mean, planned_mean;    /* seconds; planned: of the same mines */
+  double mean, planned_mean;    /* seconds, not a number if nothing was found; planned: of the same mines */
   double expected;              /* seconds: the plan's expected time to find */
   uint64_t scanned, duplicates, collisions, deadlocks;
   double simulated, wall; /* seconds in all */
@@ -31,7 +31,7 @@ int runs_play(runs_figures *f, const plan *p, const game_setup *setup, int games
               const volatile int *interrupted, bool quiet, fault *why);
 void runs_free(runs_figures *f);
 
-/* The time by which this share of the finds had happened. */
+/* The time by which this share of the finds had happened; not a number if nothing was found. */
 double runs_quantile(const runs_figures *f, double share);
 
 #endif

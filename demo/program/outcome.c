@@ -24,9 +24,7 @@ static void tell_outcome(FILE *out, const plan *p, const game_result *r, const s
   const table_certificate c = table_certificate_of(&p->t.policy);
   fprintf(out, "%s: %s, %s; the plan is ", p->name, counted(p->t.policy.board.seekers, "robot").text,
           counted(p->t.policy.board.places, "place").text);
-  fprintf(out,
-          c.certified ? "certified within %.2g %% of the optimum" : "not certified, at most %.2g %% from the optimum",
-          100.0 * c.gap);
+  certificate_tell(out, c.certified, c.gap, p->negligible);
   fprintf(out, "; expected time to find %.1f s\n", p->expected_step * game_step_seconds());
   fprintf(out, "seed %llu: ", (unsigned long long)s->seed);
   if (r->found_at >= 0.0)

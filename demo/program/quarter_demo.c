@@ -137,6 +137,8 @@ static void tell_figures(FILE *out, const runs_figures *f, const settings *s) {
             "time to find: mean %.2f s (planned for the same mines %.2f, expected %.2f), median %.1f, 90 %% %.1f, most "
             "%.1f\n",
             f->mean, f->planned_mean, f->expected, runs_quantile(f, 0.5), runs_quantile(f, 0.9), runs_quantile(f, 1.0));
+  else
+    fprintf(out, "time to find: unknown, for nothing was found (expected %.2f s)\n", f->expected);
   fprintf(out,
           "a game: %.2f places scanned, %.3f of them again, %.3f collisions; games with a deadlock: %d; %.0f times "
           "real time\n",

@@ -97,6 +97,9 @@ bool qtr_objective_tells(const qtr_objective *objective, qtr_steps steps);
 /* The aim for a game of which nothing can be told by its own: the same places found soonest. */
 void qtr_aim_undiscount(qtr_aim *aim);
 
+/* Whether the visit makes up so little of a game worth `worth` that its order is not called optimal (QTR_NEGLIGIBLE). */
+bool qtr_objective_neglects(const qtr_objective *objective, double probability, qtr_steps when, double worth);
+
 /* Add up what a game earns, given each place's step of first visit. */
 void qtr_objective_score(const qtr_objective *objective, qtr_score *score, const double *probability,
                          const qtr_steps *visit, unsigned places);

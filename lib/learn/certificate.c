@@ -32,10 +32,10 @@ enum qtr_learning qtr_certificate_verdict(const qtr_learner *learner) {
  * Places that count for next to nothing: discounted away, or hardly likely. */
 static uint16_t count_negligible(const qtr_learner *learner) {
   const qtr_play *best = &learner->best;
-  const double least = QTR_NEGLIGIBLE * fabs(best->score.worth);
   uint16_t count = 0;
   for (unsigned place = 0; place < learner->game->board.places; place++)
-    if (fabs(qtr_game_worth(learner->game, place, best->visit[place] > 0 ? best->visit[place] : 1)) < least) count++;
+    count += qtr_objective_neglects(&learner->game->objective, learner->game->probability[place], best->visit[place],
+                                    best->score.worth);
   return count;
 }
 

@@ -56,6 +56,11 @@ bool qtr_objective_tells(const qtr_objective *objective, qtr_steps steps) {
   return qtr_objective_power(objective, steps - 1) >= QTR_OBJECTIVE_LEAST_POWER;
 }
 
+/* A place on a start cell, too, depends on the order under expected time: it would count if it came a step later. */
+bool qtr_objective_neglects(const qtr_objective *objective, double probability, qtr_steps when, double worth) {
+  return fabs(qtr_objective_worth(objective, probability, when > 0 ? when : 1)) < QTR_NEGLIGIBLE * fabs(worth);
+}
+
 void qtr_objective_score(const qtr_objective *objective, qtr_score *score, const double *probability,
                          const qtr_steps *visit, unsigned places) {
   score->value = 0.0;

@@ -69,6 +69,16 @@ static void test_a_plan_has_its_missions_name(void) {
   TEST_ASSERT_EQUAL_STRING("A name", play_plan.name);
 }
 
+static void test_a_plan_counts_the_places_that_are_too_unlikely_to_be_certified(void) {
+  write_drawing("plain.txt", "S....");
+  write_file("unlikely.yaml", "map: plain.txt\nplaces:\n- {column: 2, row: 0, weight: 1}\n"
+                              "- {column: 4, row: 0, weight: 1e-7}\n- {column: 3, row: 0, weight: 1e-11}\n");
+  play_prepare("unlikely.yaml", 0);
+  TEST_ASSERT_EQUAL_INT(1, play_plan.negligible);
+  play_prepare_drawn("S.1.2", 0);
+  TEST_ASSERT_EQUAL_INT(0, play_plan.negligible);
+}
+
 /* ---- tables from files ---- */
 
 static void save_table_of(const char *rows) {
@@ -185,6 +195,7 @@ int main(void) {
   RUN_TEST(test_territories_are_those_of_the_routes);
   RUN_TEST(test_as_many_robots_start_as_are_asked_for);
   RUN_TEST(test_a_plan_has_its_missions_name);
+  RUN_TEST(test_a_plan_counts_the_places_that_are_too_unlikely_to_be_certified);
   RUN_TEST(test_a_saved_table_gives_the_same_plan);
   RUN_TEST(test_a_table_of_another_mission_is_refused_by_what_is_different);
   RUN_TEST(test_a_file_that_is_no_table_is_refused);

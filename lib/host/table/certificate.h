@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "quarter/policy.h"
 
@@ -17,5 +18,9 @@ typedef struct {
 } table_certificate;
 
 table_certificate table_certificate_of(const qtr_policy *policy);
+
+/* How near to the optimum a plan is known to be: "certified optimal to 0.001%". `negligible`: places that count for so little
+ * that nothing is certified of their order. */
+void certificate_tell(FILE *out, bool certified, double gap, int negligible);
 
 #endif
