@@ -1,0 +1,64 @@
+"""run_board.py TOOLCHAIN --source FOLDER --work FOLDER [--cmake WHERE] [--define NAME=VALUE...]: a cross build of the core's tests
+by a toolchain file, and its tests by plain ctest. Ends with 77 where its compiler, C library or emulator is not there.
+"""
+
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+
+def skip(reason):
+    print(f"SKIPPED: {reason}")
+    sys.exit(77)
+
+
+def settings_of(toolchain):
+    """The text of a toolchain file with all that it includes."""
+    text = toolchain.read_text(encoding="utf-8")
+    for name in re.findall(r"^include\(\$\{CMAKE_CURRENT_LIST_DIR\}/([\w-]+\.cmake)\)", text, re.MULTILINE):
+        text += settings_of(toolchain.parent / name)
+    return text
+
+
+def look_for_tools(toolchain):
+    text = settings_of(toolchain)
+    compiler = re.search(r"set\(CMAKE_C_COMPILER (\S+)\)", text).group(1)
+    emulator = re.search(r"set\((?:board_emulator|CMAKE_CROSSCOMPILING_EMULATOR) (qemu-[\w-]+)", text).group(1)
+    for program in (compiler, emulator):
+        if not shutil.which(program):
+            skip(f"there is no {program}")
+    if "--specs=picolibc.specs" in text:
+        probe = [compiler, "--specs=picolibc.specs", "-x", "c", "-E", "-o", "/dev/null", "-"]
+        if subprocess.run(probe, input="#include <stdio.h>\n", encoding="utf-8", stderr=subprocess.DEVNULL).returncode != 0:
+            skip(f"{compiler} has no picolibc")
+
+
+def run(*command):
+    print("$", *command, flush=True)
+    done = subprocess.run([str(word) for word in command])
+    if done.returncode != 0:
+        sys.exit(f"{command[0]} ended with {done.returncode}")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("toolchain", type=pathlib.Path)
+    parser.add_argument("--source", type=pathlib.Path, required=True)
+    parser.add_argument("--work", type=pathlib.Path, required=True)
+    parser.add_argument("--cmake", default="cmake")
+    parser.add_argument("--ctest", default="ctest")
+    parser.add_argument("--generator", default="Ninja")
+    parser.add_argument("--define", action="append", default=[])
+    options = parser.parse_args()
+    look_for_tools(options.toolchain)
+    definitions = [f"-D{definition}" for definition in options.define]
+    run(options.cmake, "-S", options.source, "-B", options.work, "-G", options.generator, "-DQUARTER_BUILD_TESTS=ON",
+        f"-DCMAKE_TOOLCHAIN_FILE={options.toolchain}", "-DCMAKE_BUILD_TYPE=Release", *definitions)
+    run(options.cmake, "--build", options.work)
+    run(options.ctest, "--test-dir", options.work, "--output-on-failure", "--no-tests=error")
+
+
+main()
