@@ -51,6 +51,7 @@ typedef char scratch_fits[sizeof(qtr_regions_scratch) + QTR_MAX_CELLS * (sizeof(
                               ? 1
                               : -1];
 
+/* By the cells there are and not by those there may be: a small map takes little. */
 size_t qtr_regions_scratch_bytes(uint32_t cells) {
   return block_piece(sizeof(qtr_regions_scratch)) + qtr_nearby_bytes(cells) + block_piece(cells * sizeof(qtr_cell)) +
          block_piece(cells * sizeof(uint16_t)) + block_piece(cells);
@@ -60,6 +61,7 @@ const uint16_t *qtr_regions_errors(const void *scratch) {
   return ((const qtr_regions_scratch *)scratch)->error;
 }
 
+/* In the order in which the bytes were counted. */
 static qtr_regions_scratch *lay_out(void *block, const qtr_grid *grid) {
   const uint32_t cells = qtr_grid_cells(grid);
   uint8_t *left = block;

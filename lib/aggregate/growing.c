@@ -4,6 +4,7 @@
 
 #define WINDOW_SHARE 2 /* times max_size: the cells that a region may choose from while it grows */
 
+/* The last one takes its place: sums and counts go along with the list, index by index. */
 static void unlist(const qtr_division *d, uint32_t index) {
   qtr_regions_scratch *s = d->scratch;
   qtr_nearby_unlist(d->nearby, index);
@@ -121,6 +122,7 @@ static int cover(const qtr_division *d, qtr_cell start) {
   }
 }
 
+/* A map may fall into parts: each is covered from its first cell on, and no region reaches into two. */
 int qtr_division_grow(const qtr_division *d) {
   for (uint32_t cell = 0; cell < d->cells; cell++) {
     if (qtr_grid_cost(d->nearby->grid, (qtr_cell)cell) == 0 || d->regions->of[cell] != QTR_NO_REGION) continue;

@@ -43,6 +43,7 @@ void qtr_nearby_init(qtr_nearby *nearby, void *block, const qtr_grid *grid) {
   ring_clear(nearby->ring);
 }
 
+/* In one step, for the order of the list means nothing: the last one moves into the gap. */
 void qtr_nearby_unlist(qtr_nearby *nearby, uint32_t index) {
   if (index >= nearby->listed) return;
   const uint32_t last = --nearby->listed;
@@ -53,6 +54,7 @@ void qtr_nearby_unlist(qtr_nearby *nearby, uint32_t index) {
   nearby->slot[nearby->list[index]] = (uint16_t)(index + 1);
 }
 
+/* Slots of listed cells alone, which are few: clearing the map's would cost all of it for each region. */
 void qtr_nearby_clear(qtr_nearby *nearby) {
   for (uint32_t i = 0; i < nearby->listed; i++) nearby->slot[nearby->list[i]] = 0;
   nearby->listed = 0;

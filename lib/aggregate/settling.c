@@ -17,6 +17,7 @@ static bool has_room(const qtr_division *d, qtr_region region) {
   return d->regions->size[region] < d->config->max_size;
 }
 
+/* All of a region is listed from one of its cells if and only if it hangs together. */
 static bool is_connected(const qtr_division *d, qtr_region region) {
   qtr_division_list_whole(d, region);
   return d->nearby->listed == d->regions->size[region];
@@ -119,6 +120,7 @@ static void attract(const qtr_division *d, qtr_region region) {
   }
 }
 
+/* Representatives stay where they are during a pass, or the errors that cells are compared by would be of two divisions. */
 void qtr_division_exchange(const qtr_division *d) {
   for (uint32_t region = 0; region < d->regions->count && division_may_go_on(d); region++)
     if (d->regions->size[region] > 0) attract(d, (qtr_region)region);

@@ -4,6 +4,7 @@
 
 #include "quarter/status.h"
 
+/* Keys as the ground has them: time left is seen to the step, and needs no estimate. */
 void qtr_sight_exact(qtr_sight *sight, const qtr_game *game) {
   sight->game = game;
   sight->regions = NULL;
@@ -56,6 +57,7 @@ int qtr_sight_by_regions(qtr_sight *sight, void *block, const qtr_game *game, co
 
 /* ---- walks ---- */
 
+/* Only asked on a way that there is: a direction of 0 is north, and says nothing where no way was noted. */
 static qtr_cell next_cell(const qtr_sight *sight, const qtr_grid *grid, qtr_cell cell, unsigned place) {
   const uint8_t *way = sight->way + (size_t)place * sight->way_bytes;
   return qtr_grid_neighbour(grid, cell, (enum qtr_direction)((unsigned)way[cell / 4] >> 2 * (cell % 4) & 3u));

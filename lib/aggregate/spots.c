@@ -12,6 +12,7 @@
 #define NOT_ONE QTR_MAX_PLACES /* no place */
 #define ROUNDING 1e-12         /* worths that differ by less, relatively, are equal */
 
+/* The board's own bytes, by node and place. */
 static qtr_steps way(const qtr_spot_ground *ground, unsigned node, unsigned place) {
   return load32_le(ground->steps + 4 * ((uint32_t)node * ground->places + place));
 }
@@ -88,6 +89,7 @@ static void drop(qtr_spots *spots, unsigned spot) {
   spots->count--;
 }
 
+/* Each place is a spot of its own: that any two joined are within the diameter then holds from the start. */
 static void start_alone(qtr_spots *spots, unsigned places) {
   spots->count = (uint16_t)places;
   for (unsigned p = 0; p < places; p++) {
@@ -102,6 +104,7 @@ typedef struct {
   double longest, total;
 } linkage;
 
+/* The longest decides, and the sum of all tells equal ones apart. */
 static linkage link_of(const clustering *c, const qtr_spots *spots, unsigned s, unsigned t) {
   linkage link = {0.0, 0.0};
   for (unsigned i = 0; i < spots->size[s]; i++)
@@ -153,6 +156,7 @@ static void try_direct(rehousing *best, const clustering *c, const qtr_spots *sp
   if (cost < best->cost) *best = (rehousing){cost, to, NOT_ONE, 0};
 }
 
+/* The place goes into the spot of another one, which moves on to a third: costs are what summed distances grow by. */
 static void try_ejecting(rehousing *best, const clustering *c, const qtr_spots *spots, unsigned place,
                          unsigned ejected) {
   const unsigned from = spots->spot_of[place];
@@ -194,6 +198,7 @@ static bool empty(const clustering *c, qtr_spots *spots, unsigned spot, qtr_spot
   return true;
 }
 
+/* From the first spot on again after each one emptied: places that moved may have made room in those that failed before. */
 static void empty_spots(const clustering *c, qtr_spots *spots, qtr_spots *scratch) {
   for (unsigned spot = 0; spot < spots->count;) spot = empty(c, spots, spot, scratch) ? 0 : spot + 1;
 }
@@ -248,6 +253,7 @@ static void put_in_order(qtr_spots *spots, unsigned places, qtr_spots *scratch) 
   }
 }
 
+/* The paper's limits, too (Fig. 5.3). */
 void qtr_spots_default(qtr_spots_config *config) {
   *config = (qtr_spots_config){.made = SETTINGS_MADE, .size = 5, .diameter = 25};
 }

@@ -15,6 +15,7 @@ static qtr_spot_ground ground_of(const qtr_game *game) {
   return ground;
 }
 
+/* No place has a tour yet: it gets one when it is the first of some. */
 static void begin(qtr_targets *t, const qtr_game *game) {
   t->game = game;
   for (unsigned place = 0; place < places_of(t); place++) t->tour[place].places = 0;
@@ -82,12 +83,14 @@ int qtr_targets_spots(qtr_targets *t, const qtr_game *game, const qtr_spots_conf
   return QTR_OK;
 }
 
+/* The target is found in a spot as often as in one of its places. */
 double qtr_targets_probability(const qtr_targets *t, unsigned target) {
   double probability = 0.0;
   for (unsigned i = 0; i < t->spots.size[target]; i++) probability += t->game->probability[t->spots.place[target][i]];
   return probability;
 }
 
+/* The way to the first place, and the tour from there: what a choice of this target takes. */
 qtr_steps qtr_targets_duration(const qtr_targets *t, unsigned seeker, unsigned node, unsigned target) {
   const uint16_t first = qtr_targets_first(t, node, target);
   if (first == QTR_STAND_DOWN) return QTR_NEVER;

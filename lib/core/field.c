@@ -17,11 +17,14 @@ static bool ends_row(const qtr_field *field, uint32_t cell) {
   return (field->cell[cell] >> SHIFT & LAST_OF_ROW) != 0;
 }
 
+/* A cell keeps its end of row all along; its link is good only while it waits in a bucket, and lies where nobody asks
+ * afterwards. */
 static void set(qtr_field *field, uint32_t cell, unsigned way, qtr_field_cell link) {
   const unsigned high = (ends_row(field, cell) ? LAST_OF_ROW : 0u) | way;
   field->cell[cell] = (qtr_field_cell)((qtr_field_cell)high << SHIFT | (link & NO_LINK));
 }
 
+/* The last of a bucket has a link of all ones, which fits in the bits there are whatever the cells are called. */
 static qtr_cell link_of(const qtr_field *field, qtr_cell cell) {
   const qtr_field_cell link = field->cell[cell] & NO_LINK;
   return link == NO_LINK ? QTR_NO_CELL : (qtr_cell)link;
@@ -113,6 +116,7 @@ int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target
   return status;
 }
 
+/* A cell was told by the neighbour through which its way goes, so the way is read off backwards, with no times kept. */
 qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell) {
   if (cell >= field->cells || field->cells != qtr_grid_cells(grid)) return QTR_NO_CELL; /* of another grid */
   switch (way_of(field, cell)) {

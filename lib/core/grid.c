@@ -1,5 +1,7 @@
 #include "quarter/grid.h"
 
+/* Cells are counted from the north-west corner, row by row: east is one on, south a row on. Only in a row can a neighbour
+ * be lost without leaving the array, so east and west ask for the column. */
 qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direction direction) {
   if (cell >= qtr_grid_cells(grid)) return QTR_NO_CELL;
   const qtr_cell columns = grid->columns;
@@ -17,6 +19,8 @@ uint32_t qtr_grid_size(uint32_t cells, uint8_t encoding) {
   return encoding == QTR_GRID_BYTES ? cells : cells / 8 + (cells % 8 > 0);
 }
 
+/* Right and bottom are the first column and row that are out: a box that holds nothing is all 0, and none that holds a cell
+ * has a right of 0. */
 void qtr_box_add(qtr_box *box, const qtr_grid *grid, qtr_cell cell) {
   const uint16_t column = (uint16_t)(cell % grid->columns);
   const uint16_t row = (uint16_t)(cell / grid->columns);
@@ -52,6 +56,7 @@ static bool has_metres(const qtr_frame *frame) {
 
 /* length * factor / QTR_FRAME_ONE, in two parts, for the product has more than 64 bits: the length is below 2^52. */
 static int64_t part_of(int64_t length, int32_t factor) {
+  /* Divided by magnitude: a shift of a negative number is the compiler's own in C99, and both signs are to round alike. */
   const bool is_negative = (length < 0) != (factor < 0);
   const uint64_t size = (uint64_t)(length < 0 ? -length : length);
   const uint64_t by = (uint64_t)(factor < 0 ? -(int64_t)factor : factor);
@@ -61,6 +66,8 @@ static int64_t part_of(int64_t length, int32_t factor) {
   return is_negative ? -part : part;
 }
 
+/* The turn (c, s) takes (across, up) from the corner to (c across - s up, s across + c up); without one nothing is
+ * rounded. */
 bool qtr_frame_centre(const qtr_frame *frame, const qtr_grid *grid, qtr_cell cell, int64_t *x_um, int64_t *y_um) {
   if (!has_metres(frame) || cell >= qtr_grid_cells(grid)) return false;
   const int64_t side = frame->cell_size_um;
@@ -78,6 +85,7 @@ static qtr_cell cell_at(const qtr_grid *grid, int64_t side, int64_t across, int6
   return (qtr_cell)((grid->rows - 1 - up / side) * grid->columns + across / side);
 }
 
+/* The inverse of a turn is its transpose, (c, -s). */
 qtr_cell qtr_frame_cell(const qtr_frame *frame, const qtr_grid *grid, int64_t x_um, int64_t y_um) {
   const int64_t side = frame->cell_size_um;
   if (!has_metres(frame) || !is_on_earth(x_um) || !is_on_earth(y_um)) return QTR_NO_CELL;

@@ -38,6 +38,8 @@ static int divide_prior(qtr_belief *belief, const double *weights, double streng
   return QTR_OK;
 }
 
+/* Without weights all places are alike. Either way each prior is above QTR_BELIEF_LEAST: a place that counts for nothing
+ * could never be learnt of. */
 int qtr_belief_init_sized(qtr_belief *belief, unsigned places, const double *weights, double strength, double keep,
                           uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -57,6 +59,7 @@ void qtr_belief_begin_game(qtr_belief *belief) {
   for (unsigned p = 0; p < belief->places; p++) belief->found[p] *= belief->keep;
 }
 
+/* Up to where one more still shows: a double holds whole numbers up to 2^53, about 9e15. */
 int qtr_belief_found(qtr_belief *belief, unsigned place) {
   if (place >= belief->places) return QTR_ERR_ARGUMENT;
   if (belief->found[place] > QTR_BELIEF_MOST - 1.0) return QTR_ERR_LIMIT;
@@ -64,6 +67,7 @@ int qtr_belief_found(qtr_belief *belief, unsigned place) {
   return QTR_OK;
 }
 
+/* The mean of the Dirichlet distribution: E theta_p = (prior_p + found_p) / sum over q of (prior_q + found_q). */
 void qtr_belief_estimate(const qtr_belief *belief, double *estimate) {
   double sum = 0.0;
   for (unsigned p = 0; p < belief->places; p++) sum += belief->prior[p] + belief->found[p];
@@ -160,6 +164,7 @@ static int check_frame(const uint8_t *bytes, uint32_t size) {
   return crc == load32_le(bytes + QTR_BELIEF_CRC) ? QTR_OK : QTR_ERR_CHECKSUM;
 }
 
+/* Bytes that mean nothing are 0, so that a later version may give them a meaning that this one refuses. */
 static int check_header(const uint8_t *bytes, uint32_t size) {
   const uint32_t places = load16_le(bytes + QTR_BELIEF_PLACES);
   const double keep = load_double(bytes + QTR_BELIEF_KEEP);

@@ -32,6 +32,7 @@ static bool measure_travel(qtr_game *game, qtr_travel *travel) {
   return game->measured == game->mission->places;
 }
 
+/* Once more, over what was rounded: for the assertion alone. */
 static double sum_of_probabilities(const qtr_game *game) {
   double sum = 0.0;
   for (unsigned place = 0; place < game->board.places; place++) sum += game->probability[place];
@@ -107,12 +108,14 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_travel *
 
 /* ---- rewards ---- */
 
+/* From visits alone and not from the course of play, so that games and routes are scored by one sum, in one order. */
 void qtr_game_score(const qtr_game *game, const qtr_steps *visit, qtr_score *score) {
   qtr_objective_score(&game->objective, score, game->probability, visit, game->board.places);
 }
 
 /* ---- play ---- */
 
+/* A place on a start cell is unvisited until somebody chooses it: that takes no time, and is still a choice. */
 void qtr_game_start(const qtr_game *game, qtr_state *state) {
   qtr_joint_start(&state->joint, &game->board, NULL, NULL);
   state->now = 0;

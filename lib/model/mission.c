@@ -6,6 +6,7 @@
 
 #include "model/settings.h"
 
+/* Free rule: places divide among the seekers, and routes can be told apart, which local search and aggregates need. */
 int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   memset(mission, 0, sizeof *mission);
@@ -15,6 +16,7 @@ int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id) {
   return QTR_OK;
 }
 
+/* A view, no copy: a byte a cell is a grid as it is. */
 qtr_grid qtr_mission_grid(const qtr_mission *mission) {
   const qtr_grid grid = {mission->columns, mission->rows, QTR_GRID_BYTES, mission->cost};
   return grid;
@@ -36,6 +38,7 @@ static int check_aim(const qtr_mission *mission) {
   return qtr_aim_check(&mission->aim);
 }
 
+/* Robots set out from free cells and drive to such: travel times are of nothing else. */
 static bool is_free(const qtr_mission *mission, qtr_cell cell) {
   return cell < qtr_mission_cells(mission) && mission->cost[cell] > 0;
 }

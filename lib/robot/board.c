@@ -2,10 +2,12 @@
 
 #include "quarter/status.h"
 
+/* Places first, then starts: a place's number is its node, and no table of the two is needed. */
 unsigned qtr_board_nodes(const qtr_board *board) {
   return (unsigned)board->places + board->starts;
 }
 
+/* No way, for numbers that are none: who asks out of range goes nowhere, and reads nothing. */
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
   if ((seeker >= board->seekers && seeker != QTR_ANY_SEEKER) || node >= qtr_board_nodes(board) ||
       place >= board->places)
@@ -13,6 +15,7 @@ qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node
   return steps_between(board, seeker, node, place);
 }
 
+/* A seat is a start's number and not a cell, for who sets out together starts at one node. */
 void qtr_board_load_seats(qtr_board *board, const uint8_t *bytes) {
   for (unsigned i = 0; i < board->seekers; i++) board->start_of[i] = (uint16_t)load16_le(bytes + 2 * i);
 }
@@ -25,6 +28,7 @@ static bool is_width(unsigned bytes) {
   return bytes == 1 || bytes == 2 || bytes == 4;
 }
 
+/* What the arrays of this build hold is told apart from what no board can be: the former may be well elsewhere. */
 static int check_numbers(const qtr_board *board) {
   if (board->places > QTR_MAX_PLACES || board->seekers > QTR_MAX_SEEKERS) return QTR_ERR_LIMIT;
   if (board->places == 0 || board->seekers == 0 || board->rule > QTR_RULE_PAPER) return QTR_ERR_ARGUMENT;
@@ -38,6 +42,7 @@ static int check_seats(const qtr_board *board) {
   return QTR_OK;
 }
 
+/* The base of the digit that a key has for steps that remain; QTR_NEVER is no way and gets no digit. */
 static qtr_steps find_longest(const qtr_board *board) {
   const unsigned nodes = qtr_board_nodes(board);
   qtr_steps longest = 0;

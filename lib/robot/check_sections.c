@@ -74,6 +74,7 @@ static int check_records(const qtr_policy *policy) {
   return QTR_OK;
 }
 
+/* In this order, for each rests on those before: a region is looked up by its start, which must be a free cell. */
 int qtr_check_sections(const qtr_policy *policy) {
   static int (*const checks[])(const qtr_policy *) = {check_place_in_world, check_padding, check_free,
                                                       check_weights,        check_regions, check_records};

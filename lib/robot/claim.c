@@ -11,10 +11,12 @@ static const struct {
   bool less_is_better;
 } objectives[] = {{QTR_POLICY_VALUE, false}, {QTR_POLICY_TIME, true}};
 
+/* An objective of a later version is refused and not guessed at: nobody could say what its bound bounds. */
 bool qtr_claim_knows(uint8_t objective) {
   return objective < sizeof objectives / sizeof objectives[0];
 }
 
+/* Nothing here is used in play; it is read anew whenever somebody asks, and takes no room in an open policy. */
 void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   const uint32_t producer = load32_le(bytes + QTR_POLICY_PRODUCER);
@@ -41,6 +43,7 @@ void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy) {
   claim->numbers = has_numbers ? bytes + policy->size - 2u * policy->board.places : NULL;
 }
 
+/* Only people see these numbers: robots speak of a table's places by its own. */
 unsigned qtr_claim_number(const qtr_claim *claim, const qtr_policy *policy, unsigned place) {
   if (claim->numbers == NULL || place >= policy->board.places) return place;
   return (unsigned)load16_le(claim->numbers + 2 * place);

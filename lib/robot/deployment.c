@@ -20,6 +20,7 @@ static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
   return start;
 }
 
+/* Where the learner had this seeker start: nodes are the places, and behind them the starts. */
 static qtr_cell home_of(const qtr_policy *policy, unsigned seeker) {
   return qtr_policy_cell(policy, (unsigned)policy->board.places + policy->board.start_of[seeker]);
 }
@@ -46,6 +47,7 @@ static void clear(qtr_deployment *deployment, const qtr_policy *policy, const qt
     if (qtr_places_has(cleared, place)) qtr_places_add(&deployment->cleared, place);
 }
 
+/* All starts are looked up before one is set: what is refused has changed nothing. */
 int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *policy, const qtr_cell *starts,
                               const qtr_places *cleared, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -59,6 +61,8 @@ int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *poli
   return QTR_OK;
 }
 
+/* The table's sum goes on over starts and cleared places: whoever has one of them otherwise plays another division, and
+ * gets another number but for one case in 2^32. */
 uint32_t qtr_deployment_identity(const qtr_deployment *deployment, const qtr_policy *policy) {
   uint32_t crc = load32_le(policy->bytes + QTR_POLICY_CRC);
   for (unsigned i = 0; i < policy->board.seekers; i++) {

@@ -8,6 +8,7 @@
 #include "quarter/nominal.h"
 
 /* A choice, and the step at which it is made. */
+/* Eight bytes a choice, none of them of the machine's own order. */
 static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
   uint8_t line[8] = {(uint8_t)seeker, 0, 0, 0, 0, 0, 0, 0};
   store16_le(line + 2, choice);
@@ -56,6 +57,8 @@ static uint32_t digest_of_routes(const qtr_policy *policy) {
 }
 #endif
 
+/* From the mission's own start: what is played from there goes through every part that could differ, keys and records,
+ * turns, travel times and the rule off the table. */
 uint32_t qtr_policy_digest(const qtr_policy *policy) {
 #if QTR_READ_FORMAT_1
   if (policy->format == 1) return digest_of_routes(policy);

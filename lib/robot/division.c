@@ -10,6 +10,8 @@ void qtr_division_begin(qtr_division *division, const qtr_policy *policy, const 
   qtr_joint_start(&division->joint, &policy->board, deployment->start_of, &deployment->cleared);
 }
 
+/* Time passes only when nobody has to choose, and each time it passes somebody arrives: between two choices there are no
+ * more advances than seekers, so that a call is short. */
 bool qtr_division_play(qtr_division *division, const qtr_policy *policy) {
   qtr_joint *joint = &division->joint;
   int seeker = qtr_joint_chooser(joint, &policy->board);

@@ -5,10 +5,12 @@
 #include "quarter/status.h"
 #include "robot/board.h"
 
+/* At a node with no steps to go. There alone, and never between two nodes, a seeker chooses: what is chosen is carried out. */
 static bool is_idle(const qtr_joint *joint, unsigned seeker) {
   return joint->node[seeker] != QTR_STAND_DOWN && joint->remaining[seeker] == 0;
 }
 
+/* For numbers from outside, too. */
 static bool can_choose(const qtr_joint *joint, const qtr_board *board, int seeker) {
   return seeker >= 0 && seeker < board->seekers && is_idle(joint, (unsigned)seeker);
 }
@@ -98,6 +100,8 @@ bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeke
   return other_can_reach(joint, board, seeker, place);
 }
 
+/* A place on the seeker's own cell takes no time: it is visited at once, and the seeker chooses again at the same
+ * moment. */
 bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint16_t choice) {
   if (!can_choose(joint, board, seeker)) return false;
   if (choice == QTR_STAND_DOWN) {
@@ -117,6 +121,7 @@ bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint
   return steps == 0;
 }
 
+/* Until then nothing happens: no one arrives, so no one chooses. */
 static qtr_steps least_remaining(const qtr_joint *joint, const qtr_board *board) {
   qtr_steps least = QTR_NEVER;
   for (unsigned i = 0; i < board->seekers; i++)
@@ -124,6 +129,8 @@ static qtr_steps least_remaining(const qtr_joint *joint, const qtr_board *board)
   return least;
 }
 
+/* To the next arrival, of one seeker or of several at once. Who follows another one to a place may find it visited: then it
+ * just arrives. */
 qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places *arrived) {
   const qtr_steps least = least_remaining(joint, board);
   if (joint->unvisited == 0 || least == QTR_NEVER) return 0;
@@ -141,6 +148,7 @@ qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places
   return least;
 }
 
+/* Bound for is not in the key: it follows from the nodes of those on their way. */
 void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_board *board) {
   qtr_key_make(key, &board->keys, &joint->visited, 0, joint->node, joint->remaining);
 }

@@ -18,6 +18,7 @@ static unsigned append_digit(qtr_key *key, unsigned words, uint32_t digit, uint3
   return words;
 }
 
+/* A whole word of bits is a base of 2^32, which moves all words up by one. A key of 0 has no words yet. */
 static unsigned append_bits(qtr_key *key, unsigned words, uint32_t value, unsigned bits) {
   if (bits < 32) return append_digit(key, words, value, (uint32_t)1 << bits);
   for (unsigned w = words; w > 0; w--) key->word[w] = key->word[w - 1];
@@ -27,12 +28,15 @@ static unsigned append_bits(qtr_key *key, unsigned words, uint32_t value, unsign
 
 /* ---- what a state is made of ---- */
 
+/* A seeker that stood down is one node more, the last. */
 static unsigned append_seeker(qtr_key *key, unsigned words, const qtr_key_shape *shape, uint32_t node,
                               qtr_steps remaining) {
   words = append_digit(key, words, node < shape->nodes ? node : shape->nodes, shape->nodes + 1u);
   return append_digit(key, words, remaining, shape->longest + 1);
 }
 
+/* Visited places come last: they are the digits of the lowest value, and states of one formation stand together in a
+ * table. */
 static unsigned append_places(qtr_key *key, unsigned words, const qtr_key_shape *shape, const qtr_places *places) {
   for (unsigned first = 0; first < shape->places; first += 32) {
     const unsigned left = shape->places - first;
@@ -69,6 +73,7 @@ static bool fits_in_bits(const qtr_key *key, unsigned words, unsigned bits) {
   return 32 * words <= bits || (words == bits / 32 + 1 && key->word[words - 1] >> bits % 32 == 0);
 }
 
+/* Seekers, clock and visited places: what is to come depends on nothing else, so two ways to one key are one state. */
 void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *visited, qtr_steps clock,
                   const uint16_t *node, const qtr_steps *remaining) {
   uint8_t order[QTR_MAX_SEEKERS];
@@ -83,6 +88,7 @@ void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *vi
   while (words < shape->words) key->word[words++] = 0;
 }
 
+/* The key is greatest where every digit is, for it is monotone in each. */
 void qtr_key_measure(qtr_key_shape *shape) {
   qtr_key key;
   qtr_places all;

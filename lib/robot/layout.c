@@ -5,6 +5,7 @@
 #include "quarter/status.h"
 #include "robot/bits.h"
 
+/* A section that a table makes no use of takes no byte. */
 static bool has(const table_dimensions *d, uint32_t feature) {
   return (d->features & feature) != 0;
 }
@@ -20,6 +21,7 @@ static uint32_t size_by_places(const table_dimensions *d, enum section section) 
   }
 }
 
+/* In 64 bits: a header may claim any number of records, and what they take must not wrap around into a size that fits. */
 static uint64_t size_of(const table_dimensions *d, enum section section) {
   const uint32_t nodes = (uint32_t)d->places + d->starts;
   switch (section) {
@@ -32,6 +34,7 @@ static uint64_t size_of(const table_dimensions *d, enum section section) {
   }
 }
 
+/* One after another without gaps: bytes are read one by one, so nothing has to be aligned. */
 void qtr_layout_find(table_layout *layout, const table_dimensions *dimensions) {
   /* So few that each section but the records is less than 2^32 bytes. */
   QTR_ASSERT(dimensions->places <= QTR_MAX_PLACES && dimensions->starts <= QTR_MAX_STARTS);

@@ -12,12 +12,14 @@
  * bytes. Entries of a later version are passed over. */
 enum { MAGIC = 4, VERSION = 1, SIZE_AT = 8, CRC_AT = 12, HEAD = 16, ENTRY = 4, MISSION_NAME = 1 };
 
+/* A name that is cut would be another name: one that is too long is left out whole. */
 uint32_t qtr_names_size(const char *mission) {
   uint32_t length = 0;
   while (length < QTR_NAME_BYTES && mission[length] != '\0') length++;
   return length == 0 || length >= QTR_NAME_BYTES ? 0 : HEAD + ENTRY + length;
 }
 
+/* The sum is over the entries, so that a torn write behind the table is seen without a look at the table. */
 void qtr_names_write(uint8_t *bytes, const char *mission) {
   const uint32_t size = qtr_names_size(mission);
   if (size == 0) return;
@@ -31,17 +33,20 @@ void qtr_names_write(uint8_t *bytes, const char *mission) {
   store32_le(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
+/* Sizes must agree to the byte: behind the names nothing more is kept. */
 static bool is_whole(const uint8_t *bytes, uint32_t size) {
   return size >= HEAD && memcmp(bytes, "QTRH", MAGIC) == 0 && load32_le(bytes + SIZE_AT) == size &&
          load32_le(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD);
 }
 
+/* Into an array of QTR_NAME_BYTES. */
 static void take(char *mission, uint32_t what, const uint8_t *text, uint32_t length) {
   if (what != MISSION_NAME || length >= QTR_NAME_BYTES) return;
   memcpy(mission, text, (size_t)length);
   mission[length] = '\0';
 }
 
+/* Each length is held against what is left before it is used, so that no bytes lead outside. */
 int qtr_names_read(char *mission, const uint8_t *bytes, uint32_t size) {
   mission[0] = '\0';
   if (size == 0) return QTR_OK;

@@ -19,6 +19,7 @@ static int compare_key(const uint8_t *record, const qtr_key *key, unsigned bytes
   return 0;
 }
 
+/* Records are sorted by key and each key is there once: halves of [low, high), in which alone the key can be. */
 bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice) {
   const qtr_record_shape *shape = &policy->records_shape;
   qtr_key key;
@@ -44,6 +45,8 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
 /* ---- off the table ---- */
 
 /* weight a / steps a > weight b / steps b, without a division. */
+/* The likeliest per step of travel first, as in Smith's rule for the least weighted sum of times; of equal ones the lowest
+ * number, or robots would differ. Products of 32-bit numbers fit 64 bits, and a place on the spot (0 steps) beats all. */
 static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, unsigned seeker,
                                const qtr_places *choices) {
   uint16_t best = QTR_STAND_DOWN;
@@ -67,6 +70,7 @@ static bool is_seeker(const qtr_policy *policy, int seeker) {
 
 /* ---- the game ---- */
 
+/* Whoever asks for a seeker that is none is told to stand, and is not off the table: no choice was due. */
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
   qtr_places choices;
   uint16_t choice = QTR_STAND_DOWN;
@@ -81,6 +85,8 @@ uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int
   return choose_by_rate(policy, joint, (unsigned)seeker, &choices);
 }
 
+/* Ends, for each time round somebody chooses, and there are no more choices than QTR_MAX_MOVES and one to stand down for
+ * each seeker; or time passes to an arrival. */
 uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table) {
   while (is_seeker(policy, seeker) && joint->node[seeker] != QTR_STAND_DOWN) {
     const int chooser = qtr_joint_chooser(joint, &policy->board);

@@ -36,12 +36,14 @@ static int check_frame(qtr_policy *policy, const uint8_t *bytes, uint32_t size) 
   return check_size(policy, size, header_bytes_of(load16_le(bytes + QTR_POLICY_VERSION)));
 }
 
+/* Of all but what tells how many bytes it is of: those have been held against the bytes that are there. */
 static int check_sum(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   const uint32_t crc = qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, policy->size - QTR_POLICY_COLUMNS);
   return crc == load32_le(bytes + QTR_POLICY_CRC) ? QTR_OK : QTR_ERR_CHECKSUM;
 }
 
+/* A map of format 1 was never turned: those bytes were no part of its header. */
 static void read_frame(qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   const bool can_turn = policy->format != 1;
@@ -52,6 +54,7 @@ static void read_frame(qtr_policy *policy) {
   policy->frame.sine = can_turn ? (int32_t)load32_le(bytes + QTR_POLICY_SINE) : 0;
 }
 
+/* 0 of anything is a damaged table; more than the arrays hold may be a good one for another build, and is called that. */
 static int read_dimensions(qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   read_frame(policy);
@@ -83,6 +86,7 @@ static bool spare_is_clear(const qtr_policy *policy) {
   return true;
 }
 
+/* Words that this version has no meaning for are refused, not taken for the nearest one it knows. */
 static int check_words(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   const bool known = bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER && qtr_claim_knows(bytes[QTR_POLICY_OBJECTIVE]) &&
@@ -93,6 +97,7 @@ static int check_words(const qtr_policy *policy) {
   return known && spare_is_clear(policy) ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
+/* Sizes are worked out of these alone, by the function that the writer lays its table out with. */
 static table_dimensions dimensions_of(const qtr_policy *policy, uint32_t records) {
   const table_dimensions dimensions = {.cells = qtr_grid_cells(&policy->grid),
                                        .records = records,
@@ -123,6 +128,7 @@ static int read_board(qtr_policy *policy) {
   return board->keys.words == policy->bytes[QTR_POLICY_KEY_WORDS] ? QTR_OK : QTR_ERR_SELFTEST;
 }
 
+/* The table must end where its last section does: no byte is left that nobody answers for. */
 static int find_the_rest(qtr_policy *policy) {
   policy->records_shape = record_shape_of(policy->format, &policy->board);
   const table_dimensions dimensions = dimensions_of(policy, policy->records);
@@ -137,6 +143,8 @@ static int find_the_rest(qtr_policy *policy) {
   return QTR_OK;
 }
 
+/* From the outside in: nothing is read before what says that it is there, and the game is played last, over numbers that
+ * are in their ranges. */
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   int status = check_frame(policy, bytes, size);

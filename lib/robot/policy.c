@@ -5,6 +5,7 @@
 #include "core/bytes.h"
 #include "quarter/status.h"
 
+/* All three answer for any number: they are asked with what comes from poses and radios. */
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
   if (node >= qtr_board_nodes(&policy->board)) return QTR_NO_CELL;
   const uint8_t *at = policy->cells + policy->cell_bytes * (uint32_t)node;
@@ -13,6 +14,7 @@ qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
   return (qtr_cell)cell;
 }
 
+/* Likelihoods in units of 2^-32: a robot only compares them. */
 uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place) {
   return place < policy->board.places ? load32_le(policy->weights + 4 * place) : 0;
 }

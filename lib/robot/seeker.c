@@ -21,6 +21,7 @@ static unsigned seekers_of(const qtr_seeker *seeker) {
   return seeker->policy->board.seekers;
 }
 
+/* The deployment is copied: all seekers of a search have equal ones, and nobody can change one under way. */
 int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_deployment *deployment,
                           uint32_t run, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -56,6 +57,7 @@ static void find_finished(qtr_seeker *seeker, bool is_first) {
   }
 }
 
+/* The first time round tells what is done already: territories without a place, and what a save said. */
 bool qtr_seeker_plan(qtr_seeker *seeker) {
   if (seeker->divided) return false;
   if (qtr_division_play(&seeker->division, seeker->policy)) return true;
@@ -64,12 +66,15 @@ bool qtr_seeker_plan(qtr_seeker *seeker) {
   return false;
 }
 
+/* From the start, for moves can be undone: what a robot could reach from there it can reach from wherever it has gone
+ * since. */
 static bool is_in_reach(const qtr_seeker *seeker, unsigned place) {
   const qtr_board *board = &seeker->policy->board;
   const unsigned start = (unsigned)board->places + seeker->deployment.start_of[seeker->self];
   return qtr_board_steps(board, seeker->self, start, place) != QTR_NEVER;
 }
 
+/* A place may be blocked and visited, by one who got there all the same: then it is visited. */
 static bool is_to_try(const qtr_seeker *seeker, unsigned place) {
   if (qtr_places_has(&seeker->visited, place) || qtr_places_has(&seeker->blocked, place)) return false;
   return (!seeker->last_round || qtr_places_has(&seeker->retry, place)) && is_in_reach(seeker, place);
@@ -135,18 +140,22 @@ void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
   if (seeker->divided) find_finished(seeker, false);
 }
 
+/* Not taken back on a later visit: is_to_try() asks for visits first. */
 void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
   if (place >= seeker->policy->board.places || qtr_places_has(&seeker->visited, place)) return;
   qtr_places_add(&seeker->blocked, place);
   seeker->settled = false;
 }
 
+/* Said once as the finder; repeated like all that is known by qtr_seeker_known(). */
 void qtr_seeker_found(qtr_seeker *seeker) {
   seeker->found_unsaid = seeker->found_unsaid || !seeker->found;
   seeker->found = true;
   seeker->settled = false;
 }
 
+/* What is heard is known, and not announced as one's own: done means scanned by whoever announces it. The count of
+ * strangers stays at its greatest, where wrapping around would make it look well. */
 bool qtr_seeker_hear(qtr_seeker *seeker, const qtr_signal *signal) {
   const bool is_found = signal->kind == QTR_SIGNAL_FOUND;
   const bool is_done = signal->kind == QTR_SIGNAL_TERRITORY_DONE && signal->territory < seekers_of(seeker);
@@ -160,6 +169,8 @@ bool qtr_seeker_hear(qtr_seeker *seeker, const qtr_signal *signal) {
   return is_found || is_done;
 }
 
+/* It moves no territory and takes no place away, so a seeker that is called lost by mistake costs ways, and never a
+ * place. */
 void qtr_seeker_lost(qtr_seeker *seeker, unsigned who) {
   if (who >= seekers_of(seeker)) return;
   set_add(&seeker->lost, who);
@@ -168,11 +179,13 @@ void qtr_seeker_lost(qtr_seeker *seeker, unsigned who) {
 
 /* ---- what a robot asks ---- */
 
+/* All questions settle first, so that the answer is by what is known now. */
 uint16_t qtr_seeker_target(qtr_seeker *seeker) {
   settle(seeker);
   return seeker->target;
 }
 
+/* Ends, for each time round a place is blocked, and on the last round it stays so: twice round all places at most. */
 bool qtr_seeker_field_built(qtr_seeker *seeker, qtr_field *field, qtr_cell here, uint32_t config_id) {
   const qtr_grid *grid = &seeker->policy->grid;
   if (config_id != QTR_CONFIG_ID || qtr_grid_cost(grid, here) == 0) return false;
@@ -184,10 +197,12 @@ bool qtr_seeker_field_built(qtr_seeker *seeker, qtr_field *field, qtr_cell here,
   return false;
 }
 
+/* Who says it is not in it: a signal is true or not, whoever repeats it. */
 static qtr_signal signal_of(const qtr_seeker *seeker, uint8_t kind, unsigned territory) {
   return (qtr_signal){seeker->identity, seeker->run, kind, (uint8_t)territory};
 }
 
+/* A find before territories: whoever hears it needs no others. */
 bool qtr_seeker_announce(qtr_seeker *seeker, qtr_signal *signal) {
   settle(seeker);
   if (seeker->found_unsaid) {
@@ -204,6 +219,7 @@ bool qtr_seeker_announce(qtr_seeker *seeker, qtr_signal *signal) {
   return false;
 }
 
+/* FOUND first: it spares the others the most. */
 bool qtr_seeker_known(const qtr_seeker *seeker, unsigned index, qtr_signal *signal) {
   if (seeker->found) {
     *signal = signal_of(seeker, QTR_SIGNAL_FOUND, 0);
@@ -217,6 +233,7 @@ bool qtr_seeker_known(const qtr_seeker *seeker, unsigned index, qtr_signal *sign
   return false;
 }
 
+/* Without a find, all territories done is the one good reason to stand; else what is left is out of reach, or blocked. */
 enum qtr_standing qtr_seeker_standing(qtr_seeker *seeker) {
   settle(seeker);
   if (seeker->target != QTR_STAND_DOWN) return QTR_UNDER_WAY;
@@ -231,6 +248,7 @@ unsigned qtr_seeker_territory(qtr_seeker *seeker) {
   return seeker->territory;
 }
 
+/* What others have announced does not count, though this robot has not seen it: it is scanned. */
 unsigned qtr_seeker_left(qtr_seeker *seeker, qtr_places *left) {
   const qtr_division *division = &seeker->division;
   qtr_places unscanned;
@@ -240,6 +258,7 @@ unsigned qtr_seeker_left(qtr_seeker *seeker, qtr_places *left) {
   for (unsigned i = 0; i < division->moves; i++) {
     const unsigned place = division->place[i];
     if (set_has(&seeker->done, division->seeker[i]) || qtr_places_has(&seeker->visited, place)) continue;
+    /* By the paper's rule two seekers may be bound for one place. */
     count += !qtr_places_has(&unscanned, place);
     qtr_places_add(&unscanned, place);
   }

@@ -17,6 +17,7 @@ static int is_in(double value, double least, double most) {
   return value >= least && value <= most;
 }
 
+/* A temperature of 0 would divide by 0, a share of random choices is at most 1. */
 int qtr_exploration_check(const qtr_exploration_plan *plan) {
   const double least = plan->kind == QTR_EXPLORE_SOFTMAX ? 1e-9 : 0.0;
   const double most = plan->kind == QTR_EXPLORE_EPSILON ? 1.0 : 1e9;
@@ -44,6 +45,7 @@ static unsigned draw_below(qtr_explorer *explorer, unsigned count) {
   return drawn < count ? drawn : count - 1;
 }
 
+/* The first of equals, so that a run repeats. */
 static unsigned largest(const double *q, unsigned count) {
   unsigned best = 0;
   for (unsigned i = 1; i < count; i++)

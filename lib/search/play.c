@@ -9,6 +9,7 @@ void qtr_play_begin(qtr_play *play) {
   for (unsigned place = 0; place < QTR_MAX_PLACES; place++) play->visit[place] = QTR_NEVER;
 }
 
+/* More choices than any game has, or numbers that are none, are not noted: a play never leads outside its arrays. */
 void qtr_play_add(qtr_play *play, int seeker, uint16_t choice) {
   if (seeker < 0 || seeker >= QTR_MAX_SEEKERS || play->choices >= QTR_MAX_CHOICES) return;
   if (choice >= QTR_MAX_PLACES && choice != QTR_STAND_DOWN) return;
@@ -81,6 +82,7 @@ void qtr_play_by_rate(qtr_play *play, const qtr_game *game) {
   play_out(play, game, NULL);
 }
 
+/* Only that no place is in two routes: places may be left out, for what is in nobody's reach. */
 bool qtr_routes_are_division(const qtr_routes *routes, unsigned seekers) {
   qtr_places taken;
   qtr_places_clear(&taken);

@@ -34,6 +34,7 @@ static const uint32_t *slot_read(const qtr_qtable *table, uint32_t slot) {
   return table->word + (size_t)slot * table->entry_words;
 }
 
+/* Doubles where floats would keep a gap open (QTR_FLOAT_GAP). */
 static bool is_precise(const qtr_qtable *table) {
   return table->value_words == VALUE_WORDS_MAX;
 }
@@ -149,6 +150,7 @@ static bool place_entry(qtr_qtable *table, entry *moved) {
   return slot_tag(table, out.word) != 0;
 }
 
+/* The last time by less than twice, up to what the block holds. */
 static uint32_t doubled(uint32_t slots, uint32_t limit) {
   return slots <= limit / 2 ? slots * 2 : limit;
 }
@@ -158,6 +160,7 @@ static uint32_t crowded(uint32_t slots) {
   return slots / 8 * 7;
 }
 
+/* As the table itself will grow: by doubling while it is crowded, and no further than the largest table of this build. */
 size_t qtr_qtable_needs(const qtr_qtable *table, uint32_t more) {
   const uint32_t most = slots_in(table, QTR_QTABLE_WORDS);
   uint32_t slots = table->slots;

@@ -150,6 +150,7 @@ static bool search_reversals(qtr_refinery *r, qtr_routes *routes, const qtr_game
   return false;
 }
 
+/* A run of places for nothing or for one place: with runs on both sides there would be three times as many tries. */
 static bool search_exchanges_of(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first,
                                 unsigned from, unsigned count, unsigned second) {
   for (unsigned at = 0; at <= routes->length[second]; at++)
@@ -166,6 +167,7 @@ static bool search_exchanges(qtr_refinery *r, qtr_routes *routes, const qtr_game
   return false;
 }
 
+/* 2-opt*: all that comes after a point in one route for all after a point in another one. */
 static bool search_tails(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned second) {
   for (unsigned from = 0; from <= routes->length[first] && may_go_on(game); from++)
     for (unsigned at = 0; at <= routes->length[second]; at++)

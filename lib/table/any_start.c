@@ -10,10 +10,12 @@
 
 /* ---- the board of all starts ---- */
 
+/* Without regions there are no crews but the mission's own: then the games differ by the places cleared alone. */
 static unsigned count_regions(const qtr_any_start_asked *asked) {
   return asked->regions != NULL ? asked->regions->count : 0;
 }
 
+/* Travel times stand as the table's own bytes, 4 each, from every node (places and starts) to every place. */
 int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked) {
   const qtr_mission *mission = asked->game->mission;
   const uint32_t starts = count_regions(asked) + asked->game->board.starts;
@@ -35,6 +37,8 @@ static void set_starts(qtr_any_start *any) {
     any->board.start_of[i] = (uint16_t)(any->regions + game->board.start_of[i]);
 }
 
+/* A robot looks up the start that stands for its cell, so a region's number is that of its representative among the
+ * starts. */
 static void set_regions(qtr_any_start *any) {
   const qtr_mission *mission = any->asked.game->mission;
   const uint32_t cells = any->regions > 0 ? qtr_mission_cells(mission) : 0;
@@ -42,6 +46,8 @@ static void set_regions(qtr_any_start *any) {
     any->blocks.region[cell] = mission->cost[cell] > 0 ? (uint16_t)any->asked.regions->of[cell] : QTR_POLICY_NO_REGION;
 }
 
+/* Seekers, rule and numbers of places are the mission's own board's; the starts, and so the nodes and the keys, are
+ * more. */
 int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *asked, const qtr_any_start_blocks *blocks,
                              qtr_travel *travel, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -64,6 +70,8 @@ int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *aske
 
 /* ---- how much it is ---- */
 
+/* Multisets of k regions out of n: (n + k - 1)! / (k! (n - 1)!), factor by factor, each partial product itself such a
+ * number. Doubles, as they may be beyond any integer. */
 double qtr_any_start_count_crews(const qtr_any_start *any) {
   double crews = 1.0;
   for (unsigned i = 0; any->regions > 0 && i < any->board.seekers; i++)
@@ -79,6 +87,7 @@ static double count_sets(const qtr_any_start *any) {
   return sets - 1.0;
 }
 
+/* Every crew with every set: the first factor is what --starts any costs, the second one what --cleared any does. */
 double qtr_any_start_count_games(const qtr_any_start *any) {
   return qtr_any_start_count_crews(any) * count_sets(any);
 }
@@ -113,12 +122,15 @@ static bool next_crew(qtr_any_start *any) {
   return true;
 }
 
+/* The mission itself first, from its own starts with nothing cleared: its certificate is the table's. */
 static bool begin(qtr_any_start *any) {
   any->begun = any->is_own = any->is_whole = true;
   memcpy(any->start_of, any->board.start_of, sizeof any->start_of);
   return true;
 }
 
+/* For one crew all sets, then the next crew: the own one, and after it all multisets of regions, from the one of the first
+ * region alone on. An own crew that stands on representatives is met again, and then its rank decides. */
 bool qtr_any_start_next(qtr_any_start *any) {
   if (!any->begun) return begin(any);
   any->is_whole = false;
@@ -134,6 +146,7 @@ bool qtr_any_start_next(qtr_any_start *any) {
   return true;
 }
 
+/* From the representatives' cells: a table for any start knows no nearer where its robots will be. */
 void qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *number) {
   qtr_cell start[QTR_MAX_SEEKERS];
   for (unsigned i = 0; i < any->board.seekers; i++) start[i] = any->blocks.start[any->start_of[i]];
@@ -150,6 +163,8 @@ static uint8_t *entry_at(const qtr_any_start *any, uint32_t i) {
   return any->blocks.entries + (size_t)i * entry_size(any);
 }
 
+/* Rank 0 is the mission's own crew, 1 all others. A rank is a byte behind the record, so that entries stay in one array and
+ * the records can close up in place. */
 static int add_entry(qtr_any_start *any, const qtr_joint *joint, uint16_t choice) {
   const uint32_t size = entry_size(any);
   if (any->count == UINT32_MAX || ((size_t)any->count + 1) * size > any->blocks.entry_room) return QTR_ERR_SPACE;
@@ -159,12 +174,15 @@ static int add_entry(qtr_any_start *any, const qtr_joint *joint, uint16_t choice
   return QTR_OK;
 }
 
+/* A route that is done means standing down: whoever has a place left in reach takes it, or the route would not be whole. */
 static uint16_t choice_of(const qtr_routes *routes, const uint16_t *number, int seeker, uint16_t *done) {
   if (done[seeker] >= routes->length[seeker]) return QTR_STAND_DOWN;
   const uint16_t place = routes->place[seeker][done[seeker]++];
   return number != NULL ? number[place] : place;
 }
 
+/* The game is played again on the table's board, where its keys are others than in the game that was learnt: all nodes and
+ * places are there, and what is cleared counts as visited. A game is recorded whole or not at all. */
 int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16_t *number) {
   const uint32_t before = any->count;
   QTR_ASSERT(any->begun && !any->finished); /* a game is under way: qtr_any_start_next() said so */
@@ -187,6 +205,7 @@ int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16
   return QTR_OK;
 }
 
+/* Entries hold no pointers, so a copy is as good as they were. */
 void qtr_any_start_move(qtr_any_start *any, uint8_t *entries, size_t room) {
   any->blocks.entries = entries;
   any->blocks.entry_room = room;
@@ -206,6 +225,7 @@ static int compare(const qtr_any_start *any, uint32_t i, uint32_t j) {
   return memcmp(a, b, size);
 }
 
+/* Through a copy on the stack: the greatest record is known. */
 static void swap(const qtr_any_start *any, uint32_t i, uint32_t j) {
   uint8_t entry[QTR_RECORD_BYTES + 1];
   const uint32_t size = entry_size(any);
@@ -233,6 +253,8 @@ static void sort(const qtr_any_start *any) {
   }
 }
 
+/* Entries of one state stand together now, the lowest rank first: that one stays. Records are shorter than entries, so the
+ * end of those kept never comes past the entry that is read. */
 void qtr_any_start_finish(qtr_any_start *any) {
   const qtr_record_shape shape = record_shape_written(&any->board);
   const uint32_t size = shape.bytes;
@@ -250,6 +272,7 @@ void qtr_any_start_finish(qtr_any_start *any) {
   any->finished = true;
 }
 
+/* The box is left out, and so all of the map is held: robots may start in any cell of it. */
 qtr_table_content qtr_any_start_content(const qtr_any_start *any, const qtr_certificate *certificate, uint64_t seed) {
   const qtr_game *game = any->asked.game;
   const qtr_table_content content = {.mission = game->mission,

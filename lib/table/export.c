@@ -35,6 +35,8 @@ static void collect_records(qtr_learner *learner) {
   }
 }
 
+/* The mission's own board and starts, no regions. The certificate is asked anew: what it says belongs to the game that is
+ * exported. */
 static qtr_table_content content_of(const qtr_learner *learner, qtr_cell *start, qtr_certificate *certificate) {
   const qtr_game *game = learner->game;
   for (unsigned i = 0; i < game->board.starts; i++) start[i] = qtr_game_start_cell(game, i);
@@ -45,6 +47,7 @@ static qtr_table_content content_of(const qtr_learner *learner, qtr_cell *start,
   return content;
 }
 
+/* Sizes follow from the number of records and not from what they hold: they need not be collected for that. */
 uint32_t qtr_export_size(const qtr_learner *learner) {
   qtr_cell start[QTR_MAX_SEEKERS];
   qtr_certificate certificate;
@@ -52,6 +55,7 @@ uint32_t qtr_export_size(const qtr_learner *learner) {
   return qtr_table_size(&content);
 }
 
+/* The best game alone is exported, whatever else was learnt: robots play in nominal time and meet no other state. */
 int32_t qtr_export(qtr_learner *learner, uint8_t *bytes, uint32_t size) {
   qtr_cell start[QTR_MAX_SEEKERS];
   qtr_certificate certificate;

@@ -3,6 +3,7 @@
 #include "quarter/status.h"
 #include "robot/bits.h"
 
+/* The least significant byte first, so that records are compared from their last key byte down, as numbers are. */
 void qtr_record_write(uint8_t *record, const qtr_joint *joint, const qtr_board *board, uint16_t choice) {
   const qtr_record_shape shape = record_shape_written(board);
   qtr_key key;

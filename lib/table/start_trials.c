@@ -16,6 +16,7 @@ int qtr_start_trials_begin_built(qtr_start_trials *trials, uint64_t seed, uint32
   return QTR_OK;
 }
 
+/* Free cells, each as likely as any: others are drawn again. There are some, for the mission has a start. */
 static qtr_cell draw_cell(qtr_start_trials *trials, const qtr_mission *mission) {
   qtr_cell cell;
   do cell = (qtr_cell)qtr_lcg_below(&trials->random, qtr_mission_cells(mission));
@@ -23,6 +24,8 @@ static qtr_cell draw_cell(qtr_start_trials *trials, const qtr_mission *mission) 
   return cell;
 }
 
+/* Cells that no region stands for are no start of the table, and no trial. The draws have an end of their own, or a map
+ * made mostly of such cells would keep this going. */
 bool qtr_start_trials_next(qtr_start_trials *trials, const qtr_policy *policy, const qtr_mission *mission,
                            qtr_mission *rest) {
   uint16_t number[QTR_MAX_PLACES];
@@ -47,6 +50,8 @@ static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *dep
     qtr_joint joint;
     uint16_t place;
     qtr_joint_start(&joint, &policy->board, deployment->start_of, NULL);
+    /* The nominal game tells the order alone; the time is that of the seeker's own way, which begins in the cell drawn and not
+ * in the representative. */
     while ((place = qtr_policy_play(policy, &joint, (int)i, NULL, NULL)) != QTR_STAND_DOWN) {
       now += qtr_board_steps(&game->board, i, node, place);
       node = place;
@@ -57,6 +62,7 @@ static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *dep
   return score.worth;
 }
 
+/* Kept sorted: quantiles are read off by index. */
 void qtr_start_trials_add(qtr_start_trials *trials, const qtr_policy *policy, const qtr_game *game, double best) {
   const double loss = (best - earn_on_ground(policy, &trials->deployment, game)) / fabs(best);
   QTR_ASSERT(trials->count < QTR_START_TRIALS && trials->tries > 0); /* qtr_start_trials_next() said so */

@@ -15,6 +15,7 @@
 
 /* ---- what of the map is held ---- */
 
+/* Robots for any start need all of the map; else what no robot can reach takes no byte of flash. */
 static qtr_box box_of(const qtr_table_content *content) {
   const qtr_mission *mission = content->mission;
   return content->used != NULL ? *content->used : (qtr_box){0, 0, mission->columns, mission->rows};
@@ -58,6 +59,7 @@ static qtr_frame frame_of(const qtr_table_content *content) {
   return frame;
 }
 
+/* A bit a cell where all free cells cost alike, a byte where ground differs. */
 static uint8_t encoding_of(const qtr_table_content *content) {
   const qtr_box box = box_of(content);
   for (uint32_t cell = 0; cell < cells_of(&box); cell++)
@@ -73,6 +75,7 @@ static uint8_t step_bytes_of(const qtr_board *board) {
   return board->keys.longest < 0xFFFFu ? 2 : 4;
 }
 
+/* Bits of what an older build would have to know to play the table: one that it does not know it refuses. */
 static uint32_t features_of(const qtr_table_content *content) {
   return (content->cleared != NULL ? (uint32_t)QTR_FEATURE_CLEARED : 0u) |
          (content->mission->number != NULL ? (uint32_t)QTR_FEATURE_NUMBERS : 0u);
@@ -97,6 +100,7 @@ static table_layout layout_of(const qtr_table_content *content) {
   return layout;
 }
 
+/* UINT32_MAX is no size: no table has as many bytes, and the writer refuses it. */
 uint32_t qtr_table_size(const qtr_table_content *content) {
   const table_layout layout = layout_of(content);
   return layout.end <= UINT32_MAX ? (uint32_t)layout.end : UINT32_MAX;
@@ -104,6 +108,7 @@ uint32_t qtr_table_size(const qtr_table_content *content) {
 
 /* ---- header ---- */
 
+/* Where the crop lies on the map, and on Earth: what a robot and what a host want of it. */
 static void write_map(uint8_t *bytes, const qtr_table_content *content) {
   const qtr_box box = box_of(content);
   const qtr_frame frame = frame_of(content);
@@ -140,6 +145,7 @@ static void write_dimensions(uint8_t *bytes, const qtr_table_content *content, u
   store32_le(bytes + QTR_POLICY_STEP_TIME, content->mission->step_time_us);
 }
 
+/* As the learner gave it. Opening holds value, bound and gap against one another, so a writer's slip shows at once. */
 static void write_certificate(uint8_t *bytes, const qtr_table_content *content) {
   const qtr_certificate *certificate = content->certificate;
   bytes[QTR_POLICY_CERTIFIED] = certificate->certified;
@@ -168,6 +174,7 @@ static void write_cells(uint8_t *at, const qtr_table_content *content) {
   }
 }
 
+/* Times as they are, but QTR_NEVER, which is cut to its lowest bytes: all ones at any width. */
 static void write_travel(uint8_t *at, const qtr_board *board) {
   const uint8_t bytes = step_bytes_of(board);
   for (unsigned node = 0; node < qtr_board_nodes(board); node++) {
@@ -178,6 +185,7 @@ static void write_travel(uint8_t *at, const qtr_board *board) {
   }
 }
 
+/* In units of 2^-32, to the nearest; never 0, for a place that holds nothing is none of the mission's. */
 static uint32_t fixed_point(double probability) {
   const double scaled = probability * 4294967296.0 + 0.5;
   if (scaled < 1.0) return 1;
@@ -189,6 +197,7 @@ static void write_weights(uint8_t *at, const qtr_table_content *content) {
     store32_le(at + 4 * place, fixed_point(content->probability[place]));
 }
 
+/* A bit a cell from the lowest of each byte on, as sets of places are. */
 static void write_grid(uint8_t *at, const qtr_table_content *content) {
   const qtr_box box = box_of(content);
   const uint8_t encoding = encoding_of(content);
@@ -207,6 +216,7 @@ static void write_regions(uint8_t *at, const qtr_table_content *content) {
     store16_le(at + 2 * cell, content->region[on_map(content->mission, &box, cell)]);
 }
 
+/* Both sections may be missing: then their bytes are none, and nothing is written. */
 static void write_places(uint8_t *cleared, uint8_t *numbers, const qtr_table_content *content) {
   for (unsigned place = 0; place < content->board->places; place++) {
     if (content->cleared != NULL && qtr_places_has(content->cleared, place))
@@ -215,6 +225,7 @@ static void write_places(uint8_t *cleared, uint8_t *numbers, const qtr_table_con
   }
 }
 
+/* All bytes are 0 before: bits are added, and what is nobody's stays 0, as opening asks. */
 static void write_sections(uint8_t *bytes, const table_layout *layout, const qtr_table_content *content) {
   const qtr_board *board = content->board;
   const uint32_t records = content->record_count * record_shape_written(board).bytes;
@@ -230,6 +241,7 @@ static void write_sections(uint8_t *bytes, const table_layout *layout, const qtr
 
 /* ---- the whole ---- */
 
+/* Of all behind itself, up to the end. */
 static void seal(uint8_t *bytes, uint32_t size) {
   store32_le(bytes + QTR_POLICY_CRC, qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
 }
