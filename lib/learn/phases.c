@@ -161,8 +161,17 @@ static enum qtr_learning step_prices(qtr_learner *learner) {
   return !learner_learns_alone(learner) && qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
 }
 
+/* Ahead of an episode, so that none has to wait for its table to double: 256 MB take seconds. What a stop leaves undone the next
+ * step goes on with. */
+static bool make_room(qtr_learner *learner) {
+  while (qtr_qtable_make_room(&learner->table, QTR_MAX_CHOICES))
+    if (!learner_may_go_on(learner)) return false;
+  return true;
+}
+
 enum qtr_learning qtr_learner_step(qtr_learner *learner) {
   if (learner->phase != QTR_PHASE_EPISODES) return step_prices(learner);
+  if (!make_room(learner)) return QTR_LEARNING;
   if (learner_is_paper(learner)) return qtr_exploring_step(learner);
   const enum qtr_learning verdict = qtr_certificate_verdict(learner);
   return verdict != QTR_LEARNING ? verdict : qtr_certified_step(learner);

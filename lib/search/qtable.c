@@ -10,6 +10,7 @@
 #define TAG_FIRST 0x40000000u
 #define TAG_OTHER 0x80000000u
 #define FIRST_SLOTS 1024u
+#define SHARE 4096u /* slots cleared or swept at a time while the table grows */
 #define VALUE_WORDS_MAX 2
 #define ENTRY_WORDS_MAX (QTR_KEY_WORDS + 1 + VALUE_WORDS_MAX)
 
@@ -117,6 +118,7 @@ void qtr_qtable_init(qtr_qtable *table, uint32_t *word, size_t words, const qtr_
   table->word = word;
   table->slots_limit = slots_in(table, words);
   table->slots = table->slots_limit < FIRST_SLOTS ? table->slots_limit : FIRST_SLOTS;
+  table->before = table->cleared = table->swept = 0;
   table->tag = TAG_FIRST;
   memset(table->word, 0, (size_t)table->slots * table->entry_words * sizeof(uint32_t));
 }
@@ -125,9 +127,15 @@ uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table) {
   return table->entry_words * (uint32_t)sizeof(uint32_t);
 }
 
+static bool is_growing(const qtr_qtable *table) {
+  return table->swept < table->before;
+}
+
 /* The slot of an entry with this key, or the free slot where it belongs: linear probing, which reads memory in order. Nothing
  * is ever taken out, so a free slot ends every search. */
 static uint32_t find_slot(const qtr_qtable *table, const entry *sought) {
+  /* Every entry lies where it is sought. */
+  QTR_ASSERT(!is_growing(table));
   const size_t bytes = stored_words(table) * sizeof(uint32_t);
   /* Some slot is free, or a search for a key that is not there would go round for ever. */
   QTR_ASSERT(table->entries < table->slots);
@@ -170,19 +178,38 @@ size_t qtr_qtable_needs(const qtr_qtable *table, uint32_t more) {
 
 /* Twice the slots, in place: entries are moved one by one to where they belong now, each taking the next one out that
  * lies in its way; the tag tells which have been moved. */
-static void grow(qtr_qtable *table) {
-  const uint32_t before = table->slots;
-  table->slots = doubled(before, table->slots_limit);
+static void begin_growth(qtr_qtable *table) {
+  table->before = table->cleared = table->slots;
+  table->swept = 0;
+  table->slots = doubled(table->before, table->slots_limit);
   table->tag = table->tag == TAG_FIRST ? TAG_OTHER : TAG_FIRST;
-  memset(slot_at(table, before), 0, (size_t)(table->slots - before) * table->entry_words * sizeof(uint32_t));
-  for (uint32_t slot = 0; slot < before; slot++) {
-    const uint32_t tag = slot_tag(table, slot_read(table, slot));
-    if (tag == 0 || tag == table->tag) continue;
-    entry moved;
-    memcpy(moved.word, slot_read(table, slot), table->entry_words * sizeof(uint32_t));
-    slot_at(table, slot)[stored_words(table) - 1] = 0;
-    while (place_entry(table, &moved)) {}
+}
+
+static void sweep(qtr_qtable *table, uint32_t slot) {
+  const uint32_t tag = slot_tag(table, slot_read(table, slot));
+  entry moved;
+  if (tag == 0 || tag == table->tag) return;
+  memcpy(moved.word, slot_read(table, slot), table->entry_words * sizeof(uint32_t));
+  slot_at(table, slot)[stored_words(table) - 1] = 0;
+  while (place_entry(table, &moved)) {}
+}
+
+/* All new slots are free before the first entry is moved, for it may come to lie anywhere. */
+static void grow_on(qtr_qtable *table) {
+  const uint32_t left = table->slots - table->cleared;
+  const uint32_t share = left < SHARE ? left : SHARE;
+  memset(slot_at(table, table->cleared), 0, (size_t)share * table->entry_words * sizeof(uint32_t));
+  table->cleared += share;
+  for (uint32_t i = share; i < SHARE && is_growing(table); i++) sweep(table, table->swept++);
+}
+
+bool qtr_qtable_make_room(qtr_qtable *table, uint32_t more) {
+  if (!is_growing(table)) {
+    if (table->slots == table->slots_limit || table->entries + more < crowded(table->slots)) return false;
+    begin_growth(table);
   }
+  grow_on(table);
+  return true;
 }
 
 /* Between two growths every entry has the table's tag, so key and tag are compared at once. */
@@ -216,7 +243,8 @@ bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
   uint32_t slot = find_slot(table, &made);
   if (slot_tag(table, slot_read(table, slot)) == 0) {
     if (table->entries >= crowded(table->slots) && table->slots < table->slots_limit) {
-      grow(table);
+      begin_growth(table);
+      while (is_growing(table)) grow_on(table);
       make_entry(table, &made, key, value);
       slot = find_slot(table, &made);
       /* Growing moves entries, and makes and loses none. */

@@ -23,8 +23,12 @@ typedef struct {
   uint8_t entry_words;  /* key and value */
   uint8_t value_words;  /* 1: floats, 2: doubles */
   uint8_t key_words;    /* of a key; the stored key may take one more, for its tag */
-  uint32_t tag;         /* of the entries in their right slots, in the top bits of a stored key */
-  uint32_t *word;       /* the block */
+  uint32_t before;      /* while it grows: slots until then, */
+  uint32_t cleared;     /* the first of the new ones that is not known to be free, */
+  uint32_t
+      swept;    /* and the first of the old ones whose entry is yet to be moved; not below `before`: it does not grow */
+  uint32_t tag; /* of the entries in their right slots, in the top bits of a stored key */
+  uint32_t *word; /* the block */
 } qtr_qtable;
 
 /* An empty table for keys of a shape, in a block of QTR_QTABLE_LEAST_WORDS at the least; more than QTR_QTABLE_WORDS are not
@@ -37,6 +41,10 @@ int qtr_qtable_move(qtr_qtable *table, uint32_t *word, size_t words);
 
 /* Words of a block in which no more than `more` entries to come are refused that one of QTR_QTABLE_WORDS would take. */
 size_t qtr_qtable_needs(const qtr_qtable *table, uint32_t more);
+
+/* Make room for `more` entries to come, a share of bounded work at a call: false when there is all that the block can give. In
+ * between the table is neither read nor written, or they would have to wait for a whole doubling, which takes seconds. */
+bool qtr_qtable_make_room(qtr_qtable *table, uint32_t more);
 
 /* Bytes that an entry takes, key and value. */
 uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table);

@@ -100,6 +100,14 @@ static void search_where_no_slot_is_free(void) {
   qtr_qtable_get(&table, &key, &value);
 }
 
+static void search_while_it_grows(void) {
+  const qtr_key key = {{0}};
+  double value;
+  table.swept = 0;
+  table.before = 1;
+  qtr_qtable_get(&table, &key, &value);
+}
+
 static void round_what_is_no_number(void) {
   qtr_qtable_round_up(&table, (double)NAN);
 }
@@ -123,6 +131,7 @@ static void test_qtable(void) {
   fill_table();
   expect_death("keys leave room for the tag", store_a_key_beyond_the_greatest);
   expect_death("a slot is free", search_where_no_slot_is_free);
+  expect_death("entries lie where they are sought", search_while_it_grows);
   expect_death("a bound stays one", round_what_is_no_number);
   expect_death("growing makes no entries", find_a_key_by_growing);
 }

@@ -133,6 +133,28 @@ static void test_growing_table_keeps_every_entry(void) {
   expect_all_as_plain();
 }
 
+/* Room made ahead is the room that the entries would have made, and nothing else changes. */
+static void test_room_made_ahead_in_shares_keeps_every_entry(void) {
+  enum { MORE = 100 };
+  set_board(14, 2, 20);
+  snprintf(case_note, sizeof case_note, "room ahead");
+  const unsigned most = table.slots_limit / 16 * 15 - 1;
+  unsigned grown = 0;
+  for (unsigned n = 0; n < POOL && n < most; n++) {
+    const uint32_t slots = table.slots;
+    unsigned shares = 0;
+    while (qtr_qtable_make_room(&table, MORE)) shares++;
+    TEST_ASSERT_EQUAL(table.slots > slots, shares > 0);
+    if (slots > 8192) TEST_ASSERT_NOT_EQUAL(1, shares);
+    if (table.slots < table.slots_limit) TEST_ASSERT_LESS_THAN(table.slots / 8 * 7, table.entries + MORE);
+    if (shares > 0) expect_all_as_plain();
+    grown += shares > 0;
+    set_in_both(n, (double)n / 7.0);
+  }
+  TEST_ASSERT_GREATER_THAN(0, grown);
+  expect_all_as_plain();
+}
+
 /* Every number of slots that an odd array may give, growing to it from any step before. */
 static void test_tables_of_every_small_size_fill_and_stay_right(void) {
   for (unsigned slots = 2; slots < 300; slots++) {
@@ -306,6 +328,7 @@ static void test_entries_are_small(void) {
 static void run_all(void) {
   RUN_TEST(test_table_is_a_plain_map);
   RUN_TEST(test_growing_table_keeps_every_entry);
+  RUN_TEST(test_room_made_ahead_in_shares_keeps_every_entry);
   RUN_TEST(test_tables_of_every_small_size_fill_and_stay_right);
   RUN_TEST(test_full_table_refuses_counts_and_stays_right);
   RUN_TEST(test_block_itself_bounds_the_table);
