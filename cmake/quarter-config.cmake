@@ -1,1 +1,16 @@
-include(${CMAKE_CURRENT_LIST_DIR}/quarter-targets.cmake)
+# find_package(quarter [COMPONENTS robot learn]): quarter::robot, quarter::learn and quarter_add_policy(). Without components all that
+# is installed.
+foreach(side robot learn)
+  set(quarter_${side}_FOUND FALSE)
+  if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/quarter-${side}-targets.cmake)
+    include(${CMAKE_CURRENT_LIST_DIR}/quarter-${side}-targets.cmake)
+    set(quarter_${side}_FOUND TRUE)
+  endif()
+endforeach()
+foreach(component IN LISTS quarter_FIND_COMPONENTS)
+  if(NOT quarter_${component}_FOUND AND quarter_FIND_REQUIRED_${component})
+    set(quarter_FOUND FALSE)
+    set(quarter_NOT_FOUND_MESSAGE "quarter has no component '${component}' here: there are robot and learn, as installed")
+  endif()
+endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/policy.cmake)

@@ -20,7 +20,7 @@ static bool ends_row(const qtr_field *field, uint32_t cell) {
 /* A cell keeps its end of row all along; its link is good only while it waits in a bucket, and lies where nobody asks
  * afterwards. */
 static void set(qtr_field *field, uint32_t cell, unsigned way, qtr_field_cell link) {
-  const unsigned high = (ends_row(field, cell) ? LAST_OF_ROW : 0u) | way;
+  const unsigned high = (ends_row(field, cell) ? (unsigned)LAST_OF_ROW : 0u) | way;
   field->cell[cell] = (qtr_field_cell)((qtr_field_cell)high << SHIFT | (link & NO_LINK));
 }
 

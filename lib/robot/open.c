@@ -147,7 +147,7 @@ static int find_the_rest(qtr_policy *policy) {
  * are in their ranges. */
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  int status = check_frame(policy, bytes, size);
+  int status = check_frame(policy, (const uint8_t *)bytes, size);
   if (status == QTR_OK) status = check_sum(policy);
   if (status == QTR_OK) status = check_words(policy);
   if (status == QTR_OK) status = read_dimensions(policy);
