@@ -93,16 +93,32 @@ function drawPlace(context, model, state, number) {
   else drawSuspected(context, x, y, radius, ink);
   const isHidden = seen.found === null && model.data.mines?.includes(number);
   if (isHidden && $("hidden-mines").checked) drawHiddenMine(context, x, y);
-  // On a small screen the numbers of many places would hide the map.
-  if (view.cell >= 5 || model.data.places.length <= 40) drawNumber(context, number, x, y, radius);
 }
 
-/* Beside the place, on the side where there is room. */
-function drawNumber(context, number, x, y, radius) {
-  const beside = Math.max(view.cell * 0.5, radius * 0.75) + 3;
-  const right = x + beside + 6 < view.cell * (view.left + view.columns) ? x + beside : x - beside;
-  const above = y - beside > 6 + view.cell * view.top ? y - beside : y + beside;
-  label(context, String(number), right, above, 11, style.ink, style.ground);
+const isOnMap = (x, y, margin) =>
+  x - margin > view.cell * view.left && x + margin < view.cell * (view.left + view.columns) &&
+  y - margin > view.cell * view.top && y + margin < view.cell * (view.top + view.rows);
+
+/* Beside a place: the first of its corners on the map that no robot is at; where all are taken, the first on the map. */
+function cornerOf(x, y, beside, robots) {
+  const corners = [[1, -1], [-1, -1], [1, 1], [-1, 1]].map(([right, down]) => [x + right * beside, y + down * beside]);
+  const inside = corners.filter((corner) => isOnMap(...corner, 6));
+  const isFree = ([left, top]) => robots.every((robot) => Math.hypot(robot.x - left, robot.y - top) > robot.reach + 6);
+  return inside.find(isFree) ?? inside[0] ?? corners[0];
+}
+
+/* Above the robots, or one that stands on a place would hide which it is. */
+function drawNumbers(context, model, now) {
+  // On a small screen the numbers of many places would hide the map.
+  if (view.cell < 5 && model.data.places.length > 40) return;
+  const reach = 1.7 * robotRadius(model);
+  const robots = model.tracks.map((_, robot) => poseAt(model, robot, now))
+    .map((pose) => ({ x: pose.x * view.cell, y: pose.y * view.cell, reach }));
+  model.data.places.forEach((place, number) => {
+    const beside = Math.max(view.cell * 0.5, placeRadius(model.data, place) * 0.75) + 3;
+    const [x, y] = cornerOf(place.x * view.cell, place.y * view.cell, beside, robots);
+    label(context, String(number), x, y, 11, style.ink, style.ground);
+  });
 }
 
 /* All of the way so far, thin, to be held against the planned route. Two points a second show its shape. */
@@ -241,4 +257,5 @@ function drawMap(model, state, now) {
   model.data.places.forEach((_, number) => drawPlace(context, model, state, number));
   drawPulses(context, model, state.passed, now);
   for (let robot = 0; robot < model.data.robots; robot++) drawRobot(context, model, state, robot, now);
+  drawNumbers(context, model, now);
 }

@@ -93,6 +93,25 @@ class Showing(Pages):
         self.browser.wait_for(f"return {picture} !== arguments[0]", before)
         self.assertEqual(self.colours_at(SAMPLE["places"][8]), 2)
 
+    def test_no_number_of_a_place_lies_under_a_robot(self):
+        """Each place's number is drawn after the robots, at a corner of the place that no robot is at."""
+        self.open_replay()
+        self.scrub(1)
+        labels = self.browser.run("""
+            const drawn = [], plain = window.label;
+            window.label = (context, text, x, y, ...rest) => { drawn.push([text, x, y]); plain(context, text, x, y, ...rest); };
+            show();
+            window.label = plain;
+            return drawn;""")
+        places = len(SAMPLE["places"])
+        self.assertEqual([text for text, _, _ in labels[-places:]], [str(place) for place in range(places)])
+        corner = """return cornerOf(view.cell * (view.left + 3), view.cell * (view.top + 3), view.cell,
+            arguments[0].map(([x, y]) => ({ x: view.cell * (view.left + x), y: view.cell * (view.top + y), reach: view.cell / 2 })))
+            .map((at, axis) => Math.round(at / view.cell - (axis === 0 ? view.left : view.top)))"""
+        for robots, expected in (([], [4, 2]), ([[4, 2]], [2, 2]), ([[4, 2], [2, 2]], [4, 4]),
+                                 ([[4, 2], [2, 2], [4, 4]], [2, 4]), ([[4, 2], [2, 2], [4, 4], [2, 4]], [4, 2])):
+            self.assertEqual(self.browser.run(corner, robots), expected)
+
     def walled(self, left, top, right, bottom):
         """The sample within walls of so many cells on each side."""
         told = copy.deepcopy(SAMPLE)
