@@ -16,7 +16,7 @@ import sys
 
 MODEL = pathlib.Path(__file__).resolve().parent / "termination.pml"
 CORES = 2
-MEMORY_MB = 512  # for one run: some millions of states, of which 200,000 are needed
+MEMORY_MB = 512  # for one run: some millions of states, of which 400,000 are needed
 DEPTH = 100000
 
 HOLDS = "holds"
@@ -26,27 +26,50 @@ REST = "rest"  # the pseudo-property: nobody is left hanging in mid-protocol
 
 FIND, CLEAR = [], ["CLEAR_ALL"]
 ALL_LATE, ONE_LATE = ["LATE=N"], ["LATE=1"]
+CUT, TWO = ["RESETS=1"], ["N=2"]
 
-SAFE = [(REST, HOLDS), ("sound", HOLDS), ("ends", HOLDS)]
+SAFE = [("sound", HOLDS), ("ends", HOLDS)]
 FOUND_SAFE = [*SAFE, ("target_kept", HOLDS), ("all_clear", HOLDS)]
-PARTLY = [(REST, HOLDS), ("sound", HOLDS), ("reach", HOLDS), ("ends", REFUTED), ("walkers_stop", HOLDS)]
+RESTS = (REST, HOLDS)
+BARRED = [("sound", HOLDS), ("reach", HOLDS), ("patient", HOLDS), ("ends", REFUTED), ("walkers_stop", HOLDS)]
+UNSOUND = [("sound", REFUTED), ("ends", REFUTED)]
+FOUND_UNSOUND = [*UNSOUND, ("target_kept", REFUTED), ("all_clear", REFUTED)]
 
 # What is built, by its definitions, and (property, expected) of each of its runs. A property with a `!` at its end is
 # run without fairness.
 RUNS = [
     # the protocol
-    ([*FIND], [*FOUND_SAFE, ("walkers_stop", HOLDS)]),
-    ([*CLEAR], [*SAFE, ("walkers_stop", HOLDS)]),
+    ([*FIND], [RESTS, *FOUND_SAFE, ("walkers_stop", HOLDS)]),
+    ([*CLEAR], [RESTS, *SAFE, ("walkers_stop", HOLDS)]),
     ([*FIND, *ALL_LATE], [("told_stop", HOLDS)]),
     ([*CLEAR, *ALL_LATE], [("told_stop", HOLDS)]),
-    ([*FIND, *ONE_LATE], [*FOUND_SAFE, ("late_stop", HOLDS)]),
-    ([*CLEAR, *ONE_LATE], [*SAFE, ("late_stop", HOLDS)]),
-    (["N=2", *FIND, *ONE_LATE], [*FOUND_SAFE, ("late_stop", HOLDS)]),
-    (["N=2", *CLEAR, *ONE_LATE], [*SAFE, ("late_stop", HOLDS)]),
+    ([*FIND, *ONE_LATE], [RESTS, *FOUND_SAFE, ("late_stop", HOLDS)]),
+    ([*CLEAR, *ONE_LATE], [RESTS, *SAFE, ("late_stop", HOLDS)]),
+    ([*TWO, *FIND, *ONE_LATE], [RESTS, *FOUND_SAFE, ("late_stop", HOLDS)]),
+    ([*TWO, *CLEAR, *ONE_LATE], [RESTS, *SAFE, ("late_stop", HOLDS)]),
     # a robot that cannot reach everything stops when all in its reach is done: a known limit, and sound all the same
-    ([*FIND, "MISSED"], [*PARTLY, ("target_kept", HOLDS)]),
-    ([*CLEAR, "MISSED"], PARTLY),
+    ([*FIND, "MISSED"], [RESTS, *BARRED, ("target_kept", HOLDS)]),
+    ([*CLEAR, "MISSED"], BARRED),
     ([*FIND, "MISSED", *ALL_LATE], [("told_stop", HOLDS)]),
+    # a door, shut or open whenever somebody comes
+    ([*FIND, "SHUT"], [*BARRED, ("target_kept", HOLDS), ("never_retried", REFUTED)]),
+    ([*CLEAR, "SHUT"], [*BARRED, ("never_retried", REFUTED)]),
+    ([*FIND, "SHUT", *ALL_LATE], [("told_stop", HOLDS)]),
+    # power cuts
+    ([*FIND, *CUT], [*FOUND_SAFE, ("walkers_stop", HOLDS)]),
+    ([*CLEAR, *CUT], [*SAFE, ("walkers_stop", HOLDS)]),
+    ([*FIND, *CUT, *ALL_LATE], [("told_stop", HOLDS)]),
+    ([*CLEAR, *CUT, *ONE_LATE], [("late_stop", HOLDS)]),
+    ([*FIND, *CUT, "NO_DEATHS"], [("never_again", REFUTED)]),
+    ([*FIND, "RESETS=3"], [*FOUND_SAFE]),
+    ([*TWO, *FIND, "RESETS=3", "SHUT"], [*BARRED, ("target_kept", HOLDS)]),
+    # a robot of another division
+    ([*FIND, "MIXED"], [*FOUND_SAFE, ("walkers_stop", HOLDS), ("never_stop", REFUTED)]),
+    ([*CLEAR, "MIXED"], [*SAFE, ("walkers_stop", HOLDS), ("never_stop", REFUTED)]),
+    # all of it at once
+    ([*FIND, "SHUT", *CUT, "MIXED"], [("sound", HOLDS), ("reach", HOLDS), ("patient", HOLDS), ("target_kept", HOLDS)]),
+    ([*CLEAR, "SHUT", *CUT], [("sound", HOLDS), ("reach", HOLDS)]),
+    ([*TWO, *FIND, "SHUT", *CUT, "MIXED"], [*BARRED, ("target_kept", HOLDS)]),
     # runs that must exist, or the above would say nothing
     ([*FIND], [("never_stop", REFUTED), ("never_again", REFUTED), ("never_told", CYCLE)]),
     ([*CLEAR], [("never_stop", REFUTED), ("never_told", CYCLE)]),
@@ -68,13 +91,23 @@ RUNS = [
     ([*FIND, *ALL_LATE, "NO_RELAY", "NO_DEATHS"], [("told_stop", HOLDS)]),
     ([*FIND, *ALL_LATE, "SILENT"], [("told_stop", CYCLE)]),
     ([*CLEAR, *ALL_LATE, "SILENT"], [("told_stop", CYCLE)]),
-    ([*FIND, "EARLY"], [("sound", REFUTED), ("ends", REFUTED), ("target_kept", REFUTED), ("all_clear", REFUTED)]),
-    ([*CLEAR, "EARLY"], [("sound", REFUTED), ("ends", REFUTED)]),
-    ([*FIND, "STALE"], [("sound", REFUTED), ("ends", REFUTED), ("target_kept", REFUTED), ("all_clear", REFUTED)]),
-    ([*CLEAR, "STALE"], [("sound", REFUTED), ("ends", REFUTED)]),
+    ([*FIND, "EARLY"], FOUND_UNSOUND),
+    ([*CLEAR, "EARLY"], UNSOUND),
+    ([*FIND, "STALE"], FOUND_UNSOUND),
+    ([*CLEAR, "STALE"], UNSOUND),
     ([*FIND, "GO_ON"], [("sound", HOLDS), ("target_kept", REFUTED), ("all_clear", REFUTED)]),
     ([*FIND, "WAIT"], [(REST, REFUTED), ("walkers_stop", CYCLE)]),
     ([*CLEAR, "WAIT"], [(REST, REFUTED), ("walkers_stop", CYCLE)]),
+    ([*FIND, "MIXED", "BELIEVE"], FOUND_UNSOUND),
+    ([*CLEAR, "MIXED", "BELIEVE"], UNSOUND),
+    ([*FIND, *CUT, "RECLEAR"], FOUND_SAFE),
+    ([*FIND, *CUT, "RECLEAR", "BELIEVE"], FOUND_UNSOUND),
+    ([*CLEAR, *CUT, "RECLEAR", "BELIEVE"], UNSOUND),
+    ([*FIND, *CUT, "AHEAD"], FOUND_UNSOUND),
+    ([*CLEAR, *CUT, "AHEAD"], UNSOUND),
+    ([*FIND, *CUT, *ALL_LATE, "MUTE"], [("told_stop", CYCLE)]),
+    ([*FIND, "SHUT", "WAVE"], FOUND_UNSOUND),
+    ([*FIND, "SHUT", "INSIST"], [("sound", HOLDS), ("walkers_stop", CYCLE)]),
 ]
 
 
@@ -106,7 +139,8 @@ def build(tools, folder, defines, claims, long):
     longer than a search gains by it, unless it is a long one."""
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copy(MODEL, folder)  # Spin hands the name to a shell, as it is
-    status, output = call([tools.spin, *(f"-D{d}" for d in defines), "-a", MODEL.name], folder)
+    ends = [] if claims else ["-DENDS"]
+    status, output = call([tools.spin, *(f"-D{d}" for d in defines), *ends, "-a", MODEL.name], folder)
     if status == 0:
         flags = ["-O1" if long else "-O0", "-w", "-DNOREDUCE", "-DNFAIR=3", f"-DMEMLIM={MEMORY_MB}"] + ([] if claims else ["-DNOCLAIM"])
         status, output = call([tools.cc, *flags, "-o", "pan", "pan.c"], folder)
