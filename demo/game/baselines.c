@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-static bool is_known(const baseline *b, unsigned place) {
+static bool is_left_out(const baseline *b, unsigned place) {
+  if (qtr_places_has(&b->blocked, place)) return true;
   if (b->crew == NULL) return qtr_places_has(&b->scanned, place);
   for (int i = 0; i < b->robots; i++)
     if (qtr_places_has(&b->crew[i].scanned, place) || (i != b->self && b->crew[i].target == place)) return true;
@@ -16,7 +17,7 @@ static void choose(baseline *b) {
   if (b->found) return;
   for (unsigned place = 0; place < board->places; place++) {
     const qtr_steps steps = place == b->node ? 0 : qtr_board_steps(board, (unsigned)b->self, b->node, place);
-    if (is_known(b, place) || steps >= least) continue;
+    if (is_left_out(b, place) || steps >= least) continue;
     least = steps;
     b->target = (uint16_t)place;
   }
@@ -33,6 +34,12 @@ static void visited(void *self, uint16_t place) {
   baseline *b = self;
   qtr_places_add(&b->scanned, place);
   b->node = place;
+  choose(b);
+}
+
+static void blocked(void *self, uint16_t place) {
+  baseline *b = self;
+  qtr_places_add(&b->blocked, place);
   choose(b);
 }
 
@@ -64,5 +71,5 @@ void baseline_init(baseline *b, const qtr_policy *policy, int self, baseline *cr
 }
 
 robot_pilot baseline_pilot(baseline *b) {
-  return (robot_pilot){b, 0, 0, target, visited, found, hear, announce};
+  return (robot_pilot){b, 0, 0, target, visited, blocked, found, hear, announce};
 }

@@ -10,7 +10,8 @@ typedef struct baseline {
   const qtr_policy *policy;
   int self;
   qtr_places scanned;
-  unsigned node; /* where it last was: a place, or its start */
+  qtr_places blocked; /* it did not get there */
+  unsigned node;      /* where it last was: a place, or its start */
   uint16_t target;
   bool found;
   struct baseline *crew; /* informed: all robots' baselines; NULL: blind */

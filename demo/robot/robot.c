@@ -23,6 +23,10 @@ static void plan_visited(void *self, uint16_t place) {
   qtr_seeker_visited(self, place);
 }
 
+static void plan_blocked(void *self, uint16_t place) {
+  qtr_seeker_blocked(self, place);
+}
+
 static void plan_found(void *self) {
   qtr_seeker_found(self);
 }
@@ -36,8 +40,8 @@ static bool plan_announce(void *self, qtr_signal *signal) {
 }
 
 robot_pilot robot_pilot_of_plan(qtr_seeker *seeker) {
-  return (robot_pilot){seeker,       seeker->identity, seeker->run, plan_target,
-                       plan_visited, plan_found,       plan_hear,   plan_announce};
+  return (robot_pilot){seeker,       seeker->identity, seeker->run, plan_target,  plan_visited,
+                       plan_blocked, plan_found,       plan_hear,   plan_announce};
 }
 
 void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, robot_pilot pilot, robot_voice voice) {
@@ -183,6 +187,11 @@ static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
     qtr_field_fill(&r->way, &r->policy->grid, goal);
     r->target = target;
     r->way_known = true;
+    hope_begin(&r->hope, r->utime);
+  }
+  if (!hope_left(&r->hope, &r->way, &r->g, position(r), r->utime)) {
+    r->pilot.blocked(r->pilot.self, target);
+    r->way_known = false;
   }
   for (int ray = 0; ray < DEMO_RAYS; ray++) range[ray] = (float)((double)m->range[ray] / r->g.cell_size);
   const driver_view view = {position(r), heading_of(r), DEMO_RAYS, range, DEMO_EYE_TRUST};

@@ -7,6 +7,7 @@
 
 #include "gossip.h"
 #include "ground.h"
+#include "hope.h"
 #include "messages.h"
 #include "quarter/robot.h"
 
@@ -16,6 +17,7 @@ typedef struct {
   uint32_t identity, run;                             /* of its signals */
   uint16_t (*target)(void *self);                     /* place; QTR_STAND_DOWN: nothing left to do */
   void (*visited)(void *self, uint16_t place);        /* it was there and found nothing */
+  void (*blocked)(void *self, uint16_t place);        /* it does not get there */
   void (*found)(void *self);                          /* it was there and found the target */
   bool (*hear)(void *self, const qtr_signal *signal); /* false: it is of another search */
   bool (*announce)(void *self, qtr_signal *signal);   /* what it has finished, or found */
@@ -44,6 +46,7 @@ typedef struct {
   uint64_t poses; /* heard so far */
   uint16_t target;
   bool way_known; /* `way` leads to the target */
+  hope hope;      /* of getting there */
   uint16_t asked; /* the place for which the mine sensor is being read; QTR_STAND_DOWN: none */
   int64_t utime;
   point anchor;     /* where it was when it last made way */

@@ -253,6 +253,34 @@ static void test_who_makes_no_way_tries_the_other_side_of_the_road(void) {
   TEST_ASSERT_TRUE(tick > 20 && tick < 200);
 }
 
+/* Held in its start cell until its target is another; returns the seconds that took. */
+static int hold_until_it_gives_up(int *tick) {
+  const uint16_t before = target();
+  const int begin = *tick;
+  for (; target() == before; (*tick)++) {
+    TEST_ASSERT_LESS_THAN(20 * 1000, *tick);
+    goes_east(*tick);
+  }
+  return (*tick - begin) * TICK / 1000000;
+}
+
+/* A place that it does not get to for long is left out, tried once more, and not announced. */
+static void test_a_place_that_it_does_not_get_to_is_left_out_and_tried_once_more(void) {
+  const uint16_t own = target();
+  int tick = 0;
+  TEST_ASSERT_INT_WITHIN(2, HOPE_PATIENCE / 1000000, hold_until_it_gives_up(&tick));
+  TEST_ASSERT_EQUAL_INT(1 - own, target());
+  hold_until_it_gives_up(&tick);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(own, target(), "once more");
+  hold_until_it_gives_up(&tick);
+  hold_until_it_gives_up(&tick);
+  TEST_ASSERT_EQUAL(QTR_STANDS_BLOCKED, qtr_seeker_standing(&seeker));
+  act((int64_t)tick * TICK, UNREAD);
+  TEST_ASSERT_TRUE(robot_stopped(&r));
+  TEST_ASSERT_FALSE(drives());
+  TEST_ASSERT_EQUAL_INT(0, signals);
+}
+
 static void test_a_territory_done_by_another_sends_it_on(void) {
   const uint16_t own = target();
   place_at(start_cell(), 0.0, 0);
@@ -393,6 +421,7 @@ int main(void) {
   RUN_TEST(test_hearing_of_a_find_it_stops_and_passes_it_on);
   RUN_TEST(test_in_clear_all_a_find_stops_nobody_and_the_place_counts_as_scanned);
   RUN_TEST(test_who_makes_no_way_tries_the_other_side_of_the_road);
+  RUN_TEST(test_a_place_that_it_does_not_get_to_is_left_out_and_tried_once_more);
   RUN_TEST(test_a_territory_done_by_another_sends_it_on);
   RUN_TEST(test_it_turns_to_its_new_target_at_once);
   RUN_TEST(test_its_own_echo_is_without_effect);
