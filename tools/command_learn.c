@@ -48,10 +48,9 @@ static const option_line lines[] = {
     OPTION_LINES_OF_REPORT,
 };
 
-static const char outro[] =
-    "\n"
-    "Exit status: 0 done, certified or not; 2 bad input, nothing written; " STATUS_OF_EARLY_END("there\nwas a first ")
-        STATUS_OF_SIGNAL("best policy written");
+static const char outro[] = "\n"
+                            "Exit status: 0 done, certified or not; 2 bad input, nothing written; " STATUS_OF_EARLY_END(
+                                "there\nwas a first ", "best policy written");
 
 static const option_set set = {"learn", intro, outro, option_records, lines};
 

@@ -12,6 +12,11 @@
 #include "prepare.h"
 #include "print.h"
 
+#define TRIES_MOST 512
+#define DIAMETERS 6
+#define EPISODES_DEFAULT 2000u
+#define PROOF_EPISODES 20000u /* for the bound that all are measured against */
+
 static const char intro[] =
     "quarter tune mission.yaml                          which spots lose least on the ground?\n"
     "quarter tune mission.yaml --budget-entries 200     with a Q-table of at most 200 entries\n"
@@ -34,17 +39,11 @@ static const option_line lines[] = {
     OPTION_LINES_OF_REPORT,
 };
 
-static const char outro[] =
-    "\n"
-    "Exit status: 0 done; 2 bad input, or nothing that fits the budget; " STATUS_OF_EARLY_END("the first\n")
-        STATUS_OF_SIGNAL("what was tried until then is reported");
+static const char outro[] = "\n"
+                            "Exit status: 0 done; 2 bad input, or nothing that fits the budget; " STATUS_OF_EARLY_END(
+                                "the first\n", "what was tried until then is reported");
 
 static const option_set set = {"tune", intro, outro, option_records, lines};
-
-#define TRIES_MOST 512
-#define DIAMETERS 6
-#define EPISODES_DEFAULT 2000u
-#define PROOF_EPISODES 20000u /* for the bound that all are measured against */
 
 typedef struct {
   aggregate_config how;

@@ -42,12 +42,13 @@ extern option_table option_records;
   OPTION_LINE("robots"), OPTION_LINE("objective"), OPTION_LINE("gamma"), OPTION_LINE("rule"),                          \
       OPTION_LINE("cell-size"), OPTION_LINE("skip-unreachable"), OPTION_LINE("snap")
 
-/* How the list of a command ends that learns and reports, and that of one that answers without progress; and what the exit
- * status 3 of the former says. `first` is what there was not, broken where its help has room. */
+/* How the list of a command ends that learns and reports, and that of one that answers without progress; and what their help says
+ * of an early end: of a signal `what` is left, and `first` is what a command that learns may not have come to. */
 #define OPTION_LINES_OF_REPORT OPTION_LINE("json"), OPTION_LINE("quiet"), {NULL, NULL, 0}
 #define OPTION_LINES_OF_ANSWER OPTION_LINE("json"), {"quiet", "no report but JSON", 0}, {NULL, NULL, 0}
 #define STATUS_OF_SIGNAL(what) "130 (143) ended by Ctrl-C (SIGTERM), " what ".\n"
-#define STATUS_OF_EARLY_END(first) "3 ended by the limit or a signal before " first "plan, nothing written; "
+#define STATUS_OF_EARLY_END(first, what)                                                                               \
+  "3 ended by the limit or a signal before " first "plan, nothing written; " STATUS_OF_SIGNAL(what)
 
 /* What is asked for where nothing is said. */
 void options_default(options *o);

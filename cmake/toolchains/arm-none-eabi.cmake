@@ -1,7 +1,6 @@
 # What the Cortex-M boards have in common: arm-none-eabi-gcc, picolibc, and QEMU's MPS2 boards by semihosting, so that programs
 # print, and end with their exit status, as on a host. Included by a board's toolchain file, which sets board_cpu and
 # board_machine.
-set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)

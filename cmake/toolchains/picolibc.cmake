@@ -1,5 +1,6 @@
 # A program over picolibc that talks to whoever emulates it. Included by the toolchain files, which set board_arch,
 # board_memory and board_emulator.
+set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY) # nothing can be linked before there is a memory layout
 set(CMAKE_C_FLAGS_INIT "${board_arch} --specs=picolibc.specs -ffunction-sections -fdata-sections")
 set(CMAKE_CXX_FLAGS_INIT "${CMAKE_C_FLAGS_INIT} -fno-exceptions -fno-rtti")
