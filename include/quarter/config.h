@@ -9,6 +9,7 @@
 #ifndef QUARTER_CONFIG_H
 #define QUARTER_CONFIG_H
 
+#include <stddef.h> /* NULL, which README's robot loop hands over */
 #include <stdint.h>
 
 #ifdef QTR_CONFIG_HEADER
