@@ -16,9 +16,9 @@ function(quarter_download archive)
   file(MAKE_DIRECTORY ${folder} ${QUARTER_CACHE})
   message(STATUS "Downloading ${name}")
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${PROJECT_SOURCE_DIR}/cmake/no_build:$ENV{PYTHONPATH} PYTHONDONTWRITEBYTECODE=1
+    COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${CMAKE_CURRENT_FUNCTION_LIST_DIR}/no_build:$ENV{PYTHONPATH} PYTHONDONTWRITEBYTECODE=1
       ${python} -m pip download --quiet --disable-pip-version-check --no-input --no-deps --require-hashes
-      --no-binary :all: --no-build-isolation --dest ${folder} -r ${PROJECT_SOURCE_DIR}/cmake/requirements.txt
+      --no-binary :all: --no-build-isolation --dest ${folder} -r ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/requirements.txt
     WORKING_DIRECTORY ${folder} RESULT_VARIABLE failed)
   if(NOT failed EQUAL 0 OR NOT EXISTS ${folder}/${name})
     message(FATAL_ERROR "pip could not download ${name}, see above. Mend the network or pip's settings, put that file "
@@ -28,7 +28,7 @@ function(quarter_download archive)
 endfunction()
 
 function(quarter_fetch_unity)
-  file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/requirements.txt pin REGEX "^pytest-unity==")
+  file(STRINGS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/requirements.txt pin REGEX "^pytest-unity==")
   string(REGEX MATCH "==([0-9.]+) --hash=sha256:([0-9a-f]+)" pin "${pin}")
   set(name pytest_unity-${CMAKE_MATCH_1})
   set(hash ${CMAKE_MATCH_2})
@@ -69,6 +69,6 @@ add_library(quarter_unity INTERFACE)
 target_link_libraries(quarter_unity INTERFACE unity::framework)
 # tests/support/unity/unity_config.h: one test function by itself.
 target_compile_definitions(quarter_unity INTERFACE UNITY_INCLUDE_DOUBLE UNITY_SUPPORT_64 UNITY_INCLUDE_CONFIG_H)
-target_include_directories(quarter_unity INTERFACE ${PROJECT_SOURCE_DIR}/tests/support/unity)
+target_include_directories(quarter_unity INTERFACE ${CMAKE_CURRENT_LIST_DIR}/../tests/support/unity)
 target_include_directories(quarter_unity SYSTEM INTERFACE
   $<TARGET_PROPERTY:unity::framework,INTERFACE_INCLUDE_DIRECTORIES>)

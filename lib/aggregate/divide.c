@@ -4,6 +4,7 @@
 #include "aggregate/growing.h"
 #include "aggregate/settling.h"
 #include "core/block.h"
+#include "model/rounding.h"
 
 #define ROUNDS 2 /* of exchanging and dissolving; a third takes a tenth longer for one region less in 500 */
 

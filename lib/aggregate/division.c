@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 /* Breadth first, with the list for a queue. A region is connected if and only if all of it is listed from one of its cells. */

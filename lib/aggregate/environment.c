@@ -4,6 +4,7 @@
 
 #include "core/block.h"
 #include "core/bytes.h"
+#include "model/rounding.h"
 #include "model/settings.h"
 #include "quarter/status.h"
 

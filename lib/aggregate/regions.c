@@ -2,6 +2,7 @@
 
 #include <float.h>
 
+#include "model/rounding.h"
 #include "model/settings.h"
 
 /* The paper's limits (Fig. 5.3): they are of its map, and `quarter tune` finds those of another one. */

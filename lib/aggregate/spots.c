@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "core/bytes.h"
+#include "model/rounding.h"
 #include "model/settings.h"
 #include "quarter/status.h"
 

@@ -1,5 +1,6 @@
 #include "aggregate/target.h"
 
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 static unsigned places_of(const qtr_targets *t) {

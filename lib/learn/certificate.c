@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "learn/role.h"
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 /* Worths are negative under expected time, and a share of the gap is upwards in both. */

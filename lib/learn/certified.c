@@ -5,6 +5,7 @@
 #include "learn/certificate.h"
 #include "learn/episode.h"
 #include "learn/role.h"
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 #define LATER_ROUNDS 4 /* of shaking a better game */

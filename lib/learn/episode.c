@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "learn/role.h"
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 /* The first difference of the settings: what Q is before it is learnt. The paper setting knows nothing; the certified one

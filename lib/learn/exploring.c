@@ -5,6 +5,7 @@
 #include "learn/certificate.h"
 #include "learn/episode.h"
 #include "learn/role.h"
+#include "model/rounding.h"
 
 /* Q(s,a) <- (1 - alpha) Q(s,a) + alpha backup, for the choice made last; `value` is the largest Q of the state now. With
  * alpha = 1 that is Eq. 4.7 itself, right where a choice always leads to one state. */

@@ -9,6 +9,7 @@
 #include "learn/episode.h"
 #include "learn/exploring.h"
 #include "learn/role.h"
+#include "model/rounding.h"
 #include "model/settings.h"
 #include "quarter/status.h"
 

@@ -8,6 +8,7 @@
 #include "core/bytes.h"
 #include "core/crc.h"
 #include "model/doubles.h"
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 static const uint8_t magic[4] = {'Q', 'T', 'R', 'B'};

@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "model/matrix.h"
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 #define ROUNDING 1e-9 /* more than adding up the likelihoods of all places is wrong by */

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "model/rounding.h"
 #include "model/settings.h"
 
 /* Free rule: places divide among the seekers, and routes can be told apart, which local search and aggregates need. */

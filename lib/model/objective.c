@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 /* Where gamma^t comes to its end as a double, all that is left counts as found now. */

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 #define SCALE_FIRST 2.0 /* of Polyak's step; 2 is the most for which it converges */

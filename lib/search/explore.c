@@ -1,5 +1,6 @@
 #include "search/explore.h"
 
+#include "model/rounding.h"
 #include "model/settings.h"
 #include "quarter/random.h"
 #include "quarter/status.h"

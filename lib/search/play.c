@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 void qtr_play_begin(qtr_play *play) {

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/rounding.h"
 #include "quarter/status.h"
 
 #define TAG_BITS 2

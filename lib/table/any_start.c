@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "model/matrix.h"
+#include "model/rounding.h"
 #include "quarter/policy.h"
 #include "quarter/rest.h"
 #include "quarter/status.h"

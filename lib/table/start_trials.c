@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "model/rounding.h"
 #include "quarter/nominal.h"
 #include "quarter/random.h"
 #include "quarter/rest.h"

@@ -6,6 +6,7 @@
 #include "core/bytes.h"
 #include "core/crc.h"
 #include "model/doubles.h"
+#include "model/rounding.h"
 #include "quarter/digest.h"
 #include "quarter/policy.h"
 #include "quarter/status.h"

@@ -1,5 +1,6 @@
-"""run_board.py TOOLCHAIN --source FOLDER --work FOLDER [--cmake WHERE] [--define NAME=VALUE...]: a cross build of the core's tests
-by a toolchain file, and its tests by plain ctest. Ends with 77 where its compiler, C library or emulator is not there.
+"""run_board.py --toolchain FILE | --cc COMPILER [--flags=FLAGS] --source FOLDER --work FOLDER [--cmake WHERE]
+[--define NAME=VALUE...]: a build by a toolchain file or by a compiler under flags, and its tests by plain ctest. Ends with 77
+where its compiler, C library or emulator is not there, or this processor does not run what it makes.
 """
 
 import argparse
@@ -36,6 +37,30 @@ def look_for_tools(toolchain):
             skip(f"{compiler} has no picolibc")
 
 
+# With what is learnt from the flags: gcc's and clang's question to the processor.
+TRIAL = """#include <math.h>
+int main(void) {
+#ifdef __AVX2__
+  return !__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma") || !__builtin_cpu_supports("bmi2");
+#endif
+  return 0;
+}
+"""
+
+
+def look_for_compiler(compiler, flags, folder):
+    """That it makes programs under these flags, and that they run here."""
+    if not shutil.which(compiler):
+        skip(f"there is no {compiler}")
+    folder.mkdir(parents=True, exist_ok=True)
+    trial = folder / "trial"
+    command = [compiler, *flags.split(), "-x", "c", "-", "-o", str(trial)]
+    if subprocess.run(command, input=TRIAL, encoding="utf-8", stderr=subprocess.DEVNULL).returncode != 0:
+        skip(f"{compiler} {flags} makes no program")
+    if subprocess.run([trial.resolve()]).returncode != 0:
+        skip(f"this processor does not run what {compiler} {flags} makes")
+
+
 def run(*command):
     print("$", *command, flush=True)
     done = subprocess.run([str(word) for word in command])
@@ -45,7 +70,9 @@ def run(*command):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("toolchain", type=pathlib.Path)
+    parser.add_argument("--toolchain", type=pathlib.Path)
+    parser.add_argument("--cc")
+    parser.add_argument("--flags", default="")
     parser.add_argument("--source", type=pathlib.Path, required=True)
     parser.add_argument("--work", type=pathlib.Path, required=True)
     parser.add_argument("--cmake", default="cmake")
@@ -53,10 +80,14 @@ def main():
     parser.add_argument("--generator", default="Ninja")
     parser.add_argument("--define", action="append", default=[])
     options = parser.parse_args()
-    look_for_tools(options.toolchain)
     definitions = [f"-D{definition}" for definition in options.define]
-    run(options.cmake, "-S", options.source, "-B", options.work, "-G", options.generator, "-DQUARTER_BUILD_TESTS=ON",
-        f"-DCMAKE_TOOLCHAIN_FILE={options.toolchain}", "-DCMAKE_BUILD_TYPE=Release", *definitions)
+    if options.toolchain:
+        look_for_tools(options.toolchain)
+        definitions += [f"-DCMAKE_TOOLCHAIN_FILE={options.toolchain}", "-DCMAKE_BUILD_TYPE=Release"]
+    else:
+        look_for_compiler(options.cc, options.flags, options.work)
+        definitions += [f"-DCMAKE_C_COMPILER={options.cc}", f"-DCMAKE_C_FLAGS={options.flags}"]
+    run(options.cmake, "-S", options.source, "-B", options.work, "-G", options.generator, *definitions)
     run(options.cmake, "--build", options.work)
     run(options.ctest, "--test-dir", options.work, "--output-on-failure", "--no-tests=error")
 
