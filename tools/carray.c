@@ -4,25 +4,22 @@
 #include <inttypes.h>
 
 #include "cname.h"
+#include "host/table/robot_needs.h"
 #include "quarter/status.h"
 
 #define BYTES_A_LINE 16
 
 /* NAME_CELLS and the like, and that the build holds as much. */
 static void write_needs(FILE *out, const char *name, const qtr_policy *policy) {
-  const struct {
-    const char *what;
-    uint32_t needed;
-  } needs[] = {
-      {"CELLS", qtr_grid_cells(&policy->grid)}, {"PLACES", policy->board.places}, {"SEEKERS", policy->board.seekers}};
-  const int count = (int)(sizeof needs / sizeof needs[0]);
+  const robot_sizes needed = robot_needs(policy);
   char upper[CNAME_SIZE];
   for (size_t i = 0; i < sizeof upper; i++) upper[i] = (char)toupper((unsigned char)name[i]);
-  for (int i = 0; i < count; i++) fprintf(out, "#define %s_%s %" PRIu32 "\n", upper, needs[i].what, needs[i].needed);
+  for (int i = 0; i < ROBOT_SIZES; i++)
+    fprintf(out, "#define %s_%s %" PRIu32 "\n", upper, robot_size_word(i), needed.of[i]);
   fprintf(out, "\n#ifdef __has_include\n#if __has_include(\"quarter/config.h\")\n#include \"quarter/config.h\"\n");
-  for (int i = 0; i < count; i++)
-    fprintf(out, "#if QTR_MAX_%s < %s_%s\n#error \"%s needs QTR_MAX_%s to be %" PRIu32 " or more\"\n#endif\n",
-            needs[i].what, upper, needs[i].what, name, needs[i].what, needs[i].needed);
+  for (int i = 0; i < ROBOT_SIZES; i++)
+    fprintf(out, "#if %s < %s_%s\n#error \"%s needs %s to be %" PRIu32 " or more\"\n#endif\n", robot_size_macro[i],
+            upper, robot_size_word(i), name, robot_size_macro[i], needed.of[i]);
   fprintf(out, "#endif\n#endif\n\n");
 }
 

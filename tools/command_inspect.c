@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "fit.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/stop.h"
@@ -21,13 +22,15 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
+    OPTION_LINE("profile"),
     {"json", "print it as JSON, or write it to FILE", 0},
     {"quiet", "say nothing: the exit status tells whether the table is sound", 0},
     {NULL, NULL, 0},
 };
 
 static const char outro[] = "\n"
-                            "Exit status: 0 a sound table; 2 not one; " STATUS_OF_SIGNAL("nothing half-written");
+                            "Exit status: 0 a sound table; 2 not one; " STATUS_OF_SIGNAL("nothing half-written")
+                                STATUS_OF_UNFIT("though it is sound");
 
 static const option_set set = {"inspect", intro, outro, option_records, lines};
 
@@ -80,6 +83,7 @@ static void write_map(json *j, const table *t) {
 typedef struct {
   table t;
   const options *o;
+  fit fit;
   table_route routes[QTR_MAX_SEEKERS];
 } inspection;
 
@@ -136,6 +140,7 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "seed", c.seed);
   json_natural(&j, "records", t->policy.records);
   json_integer(&j, "key_bytes", 4 * t->policy.board.keys.words);
+  fit_json(&j, &i->fit);
   write_map(&j, t);
   write_places(&j, t);
   report_json_routes(&j, i->routes, t->policy.board.seekers);
@@ -157,6 +162,7 @@ static void write_text(FILE *out, const void *what) {
   fprintf(out, "identity %s: robots of another one are not believed\n", identity_of(t).text);
   fprintf(out, "%s of %d-byte keys\n", counted(t->policy.records, "state").text, 4 * t->policy.board.keys.words);
   report_routes(out, i->routes, t->policy.board.seekers);
+  fit_write(out, &i->fit);
 }
 
 /* As the input numbers its places. */
@@ -173,10 +179,13 @@ int command_inspect(int argc, char **argv) {
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return option_help(stdout, &set);
   stop_at_once();
-  if (table_read(&i.t, o.input, &why) != 0 || products_check(&o, &why) != 0) return fault_exit(&why);
+  if (fit_begin(&i.fit, o.profile, &why) != 0 || table_read(&i.t, o.input, &why) != 0) return fault_exit(&why);
+  if (products_check(&o, &why) != 0) return fault_exit(&why);
+  fit_take(&i.fit, &i.t.policy);
   table_routes(&i.t, i.routes);
   number_routes(&i);
-  const int status = print_report(&o, write_json, write_text, &i, &why);
+  int status = print_report(&o, write_json, write_text, &i, &why);
+  if (status == 0) status = fit_check(&i.fit, o.input, &why);
   table_free(&i.t);
   return status == 0 ? EXIT_SUCCESS : fault_exit(&why);
 }

@@ -3,6 +3,7 @@
 #include "carray.h"
 #include "commands.h"
 #include "curve.h"
+#include "fit.h"
 #include "host/base/outfile.h"
 #include "host/base/stop.h"
 #include "host/plan/progress.h"
@@ -26,6 +27,7 @@ static const char intro[] =
 static const option_line lines[] = {
     OPTION_LINE("output"),
     OPTION_LINE("c"),
+    OPTION_LINE("profile"),
     OPTION_LINES_OF_PROBLEM,
     OPTION_LINE("gap"),
     OPTION_LINE("time-limit"),
@@ -48,9 +50,10 @@ static const option_line lines[] = {
     OPTION_LINES_OF_REPORT,
 };
 
-static const char outro[] = "\n"
-                            "Exit status: 0 done, certified or not; 2 bad input, nothing written; " STATUS_OF_EARLY_END(
-                                "there\nwas a first ", "best policy written");
+static const char outro[] =
+    "\n"
+    "Exit status: 0 done, certified or not; 2 bad input, nothing written; " STATUS_OF_EARLY_END(
+        "there\nwas a first ", "best policy written") STATUS_OF_UNFIT("nothing learnt, nothing written");
 
 static const option_set set = {"learn", intro, outro, option_records, lines};
 
@@ -133,6 +136,7 @@ static int write_table(report *r, const options *o, fault *why) {
   if (status != QTR_OK) {
     status = fault_set(why, "the policy table does not open: %s; this is a fault of Quarter's", qtr_strerror(status));
   } else {
+    fit_take(&r->fit, &t.policy);
     r->table_bytes = whole;
     r->table_records = t.policy.records;
     table_routes(&t, r->route);
@@ -164,14 +168,28 @@ static void note_cramped(void) {
   notes_print(&in->note, before);
 }
 
+/* What can be known of the table before there is one: robots are told of all of the map where they may start anywhere. */
+static int foresee_fit(fit *f, const options *o, fault *why) {
+  const qtr_game *game = &learnt->p.game;
+  const qtr_mission *mission = game->mission;
+  const bool anywhere = o->plan.any_starts || o->plan.any_cleared;
+  const qtr_box box = anywhere ? (qtr_box){0, 0, mission->columns, mission->rows} : game->used;
+  f->needed.of[ROBOT_CELLS] = (uint32_t)(box.right - box.left) * (uint32_t)(box.bottom - box.top);
+  f->needed.of[ROBOT_PLACES] = game->board.places;
+  f->needed.of[ROBOT_SEEKERS] = game->board.seekers;
+  return fit_check(f, o->input, why);
+}
+
 static int learn(const options *o, report *r, fault *why) {
   stop_after(o->time_limit);
   learnt = study_take(why);
-  if (learnt == NULL || prepare_problem(&learnt->p, o, why) != 0) return -1;
+  *r = (report){.command = "learn", .o = o};
+  if (learnt == NULL || fit_begin(&r->fit, o->profile, why) != 0) return -1;
+  if (prepare_problem(&learnt->p, o, why) != 0 || foresee_fit(&r->fit, o, why) != 0) return -1;
   stop_after(o->time_limit * (o->plan.any_starts || o->plan.any_cleared ? SEARCH_SHARE : 1.0));
   const double begin = stop_seconds();
   if (study_begin(learnt, &o->plan, why) != 0) return -1;
-  *r = (report){.command = "learn", .o = o, .p = &learnt->p};
+  r->p = &learnt->p;
   if (search(r, o, why) != 0) return -1;
   note_cramped();
   r->seconds = stop_seconds() - begin + learnt->p.travel_seconds;

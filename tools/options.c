@@ -149,6 +149,11 @@ option_table option_records = {
      .help = "write the policy table; '-' is standard output",
      FILE_NAME(output)},
     {.name = "c", .argument = "FILE", .help = "write it as C source", FILE_NAME(c_output)},
+    {.name = "profile",
+     .argument = "mcu|FILE",
+     .help = "the robots' array sizes: the profile mcu, or the header that QTR_CONFIG_HEADER names there.\n"
+             "Tells what a table takes of flash and RAM, and refuses one that does not fit",
+     FILE_NAME(profile)},
     {.name = "curve",
      .argument = "FILE",
      .help = "write MaxQ, the best value, the bound and the Q entries, game by game, as CSV",

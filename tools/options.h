@@ -14,6 +14,7 @@ typedef struct {
   const char *input;
   const char *output;    /* -o; NULL: none */
   const char *c_output;  /* --c; NULL: none */
+  const char *profile;   /* "mcu", or a robot's config header; NULL: none */
   const char *curve;     /* CSV of the learning's progress; NULL: none */
   bool json;             /* print JSON instead of text */
   const char *json_path; /* write it here; NULL: standard output */
@@ -49,6 +50,7 @@ extern option_table option_records;
 #define STATUS_OF_SIGNAL(what) "130 (143) ended by Ctrl-C (SIGTERM), " what ".\n"
 #define STATUS_OF_EARLY_END(first, what)                                                                               \
   "3 ended by the limit or a signal before " first "plan, nothing written; " STATUS_OF_SIGNAL(what)
+#define STATUS_OF_UNFIT(what) "5 --profile's arrays are too small for the table, " what ".\n"
 
 /* What is asked for where nothing is said. */
 void options_default(options *o);

@@ -77,6 +77,7 @@ static void write_json(FILE *out, const void *what) {
   json_flat_array(&j, "place_numbers");
   for (int place = 0; place < mission->places; place++) json_integer(&j, NULL, r->p->in.place_number[place]);
   json_end_array(&j);
+  fit_json(&j, &r->fit);
   notes_json(&r->p->in.note, &j);
   if (r->anywhere) {
     json_flat_object(&j, "anywhere");
@@ -167,6 +168,7 @@ static void write_text(FILE *out, const void *what) {
     fprintf(out, "ended (%s) with %s learnt for the table; in all others robots go by their rule\n", stop_reason(),
             counted(r->any.games, "game").text);
   if (r->o->c_output != NULL) fprintf(out, "wrote %s\n", r->o->c_output);
+  fit_write(out, &r->fit);
 }
 
 int report_write(const report *r, fault *why) {

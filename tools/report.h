@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "fit.h"
 #include "host/base/fault.h"
 #include "host/base/json.h"
 #include "host/plan/anywhere.h"
@@ -28,6 +29,7 @@ typedef struct {
   table_route route[QTR_MAX_SEEKERS]; /* places as the input numbers them */
   bool anywhere;                      /* the table is for any start, or any places cleared */
   anywhere_report any;
+  fit fit;
 } report;
 
 /* Let the routes name the places by the input's numbers. They name them by the table's, which knows only those that were

@@ -7,8 +7,9 @@
 /* Exit statuses of `quarter`. */
 enum {
   EXIT_BAD_INPUT = 2,
-  EXIT_STOPPED = 3,  /* by a time limit or a signal, before there was anything to write */
-  EXIT_UNVISITED = 4 /* simulated, and places were left although nothing was found */
+  EXIT_STOPPED = 3,   /* by a time limit or a signal, before there was anything to write */
+  EXIT_UNVISITED = 4, /* simulated, and places were left although nothing was found */
+  EXIT_UNFIT = 5      /* a table that a robot's build of the profile named does not hold */
 };
 
 #define FAULT_LINE 1024

@@ -1,0 +1,161 @@
+#include "host/table/robot_memory.h"
+
+#include "quarter/grid.h"
+
+const robot_processor robot_processor_32_bits = {.pointer = 4, .alignment = 8};
+
+/* A structure under way: members are put behind one another, each at a multiple of its alignment. tests/host holds what comes of
+ * it against sizeof, under several sizes, and tests/firmware on the boards' own compilers. */
+typedef struct {
+  const robot_processor *processor;
+  uint64_t end;
+  unsigned alignment; /* the greatest of its members */
+} layout;
+
+static uint64_t rounded_up(uint64_t bytes, unsigned alignment) {
+  return (bytes + alignment - 1) / alignment * alignment;
+}
+
+static void put_aligned(layout *l, uint64_t bytes, unsigned alignment) {
+  l->end = rounded_up(l->end, alignment) + bytes;
+  if (alignment > l->alignment) l->alignment = alignment;
+}
+
+/* So many numbers of 1, 2, 4 or 8 bytes. */
+static void put(layout *l, uint64_t count, unsigned bytes) {
+  put_aligned(l, count * bytes, bytes < l->processor->alignment ? bytes : l->processor->alignment);
+}
+
+static void put_pointers(layout *l, unsigned count) {
+  put(l, count, l->processor->pointer);
+}
+
+static layout begin(const robot_processor *processor) {
+  return (layout){processor, 0, 1};
+}
+
+static uint64_t size_of(const layout *l) {
+  return rounded_up(l->end, l->alignment);
+}
+
+static void put_struct(layout *l, layout inner) {
+  put_aligned(l, size_of(&inner), inner.alignment);
+}
+
+/* ---- in the order of the public headers ---- */
+
+static uint64_t words(uint64_t bits) {
+  return (bits + 31) / 32;
+}
+
+static layout grid_of(const robot_processor *processor) {
+  layout l = begin(processor);
+  put(&l, 2, 2); /* columns, rows */
+  put(&l, 1, 1); /* encoding */
+  put_pointers(&l, 1);
+  return l;
+}
+
+static layout frame_of(const robot_processor *processor) {
+  layout l = begin(processor);
+  put(&l, 1, 4); /* cell_size_um */
+  put(&l, 2, 8); /* origin */
+  put(&l, 2, 4); /* cosine, sine */
+  return l;
+}
+
+static layout key_shape_of(const robot_sizes *sizes, const robot_processor *processor) {
+  layout l = begin(processor);
+  put(&l, 2, 2); /* places, nodes */
+  put(&l, 2, 4); /* longest, clock */
+  put(&l, 1, 1); /* seekers */
+  put(&l, sizes->of[ROBOT_SEEKERS], 1);
+  put(&l, 1, 1); /* words */
+  put(&l, 1, 2); /* bits */
+  return l;
+}
+
+static layout board_of(const robot_sizes *sizes, const robot_processor *processor) {
+  layout l = begin(processor);
+  put(&l, 2, 2); /* places, starts */
+  put(&l, 2, 1); /* seekers, rule */
+  put(&l, sizes->of[ROBOT_SEEKERS], 2);
+  put(&l, 1, 1); /* step_bytes */
+  put_pointers(&l, 1);
+  put_struct(&l, key_shape_of(sizes, processor));
+  return l;
+}
+
+static layout policy_of(const robot_sizes *sizes, const robot_processor *processor) {
+  layout l = begin(processor);
+  put_pointers(&l, 1);
+  put(&l, 1, 4); /* size */
+  put_struct(&l, grid_of(processor));
+  put_struct(&l, frame_of(processor));
+  put_struct(&l, board_of(sizes, processor));
+  put(&l, 1, 4); /* records */
+  put_pointers(&l, 5);
+  put(&l, 5, 1); /* format, cell_bytes, records_shape */
+  return l;
+}
+
+static layout deployment_of(const robot_sizes *sizes, const robot_processor *processor) {
+  layout l = begin(processor);
+  put(&l, sizes->of[ROBOT_SEEKERS], 2);
+  put(&l, words(sizes->of[ROBOT_PLACES]), 4);
+  return l;
+}
+
+static layout joint_of(const robot_sizes *sizes, const robot_processor *processor) {
+  layout l = begin(processor);
+  put(&l, 2 * words(sizes->of[ROBOT_PLACES]), 4);
+  put(&l, 1, 2); /* unvisited */
+  put(&l, sizes->of[ROBOT_SEEKERS], 2);
+  put(&l, sizes->of[ROBOT_SEEKERS], 4);
+  return l;
+}
+
+static layout division_of(const robot_sizes *sizes, const robot_processor *processor) {
+  const uint64_t seekers = sizes->of[ROBOT_SEEKERS], moves = sizes->of[ROBOT_PLACES] + seekers * seekers;
+  layout l = begin(processor);
+  put_struct(&l, joint_of(sizes, processor));
+  put(&l, 1, 4); /* off_table */
+  put(&l, 1, 2); /* moves */
+  put(&l, moves, 2);
+  put(&l, moves, 1);
+  return l;
+}
+
+static layout seeker_of(const robot_sizes *sizes, const robot_processor *processor) {
+  layout l = begin(processor);
+  put_pointers(&l, 1);
+  put_struct(&l, deployment_of(sizes, processor));
+  put_struct(&l, division_of(sizes, processor));
+  put(&l, 3, 4);                                   /* identity, run, foreign */
+  put(&l, 3 * words(sizes->of[ROBOT_PLACES]), 4);  /* visited, blocked, retry */
+  put(&l, 3 * words(sizes->of[ROBOT_SEEKERS]), 4); /* done, unsaid, lost */
+  put(&l, 1, 2);                                   /* target */
+  put(&l, 2, 1);                                   /* self, territory */
+  put(&l, 5, 1);                                   /* what holds and what does not */
+  return l;
+}
+
+static layout field_of(const robot_sizes *sizes, const robot_processor *processor) {
+  const unsigned cell = sizes->of[ROBOT_CELLS] <= 65535 ? 2 : 4;
+  layout l = begin(processor);
+  put(&l, sizes->of[ROBOT_CELLS], sizes->of[ROBOT_CELLS] < 4096 ? 2 : 4);
+  put(&l, QTR_TRAVEL_RING, cell);
+  put(&l, 1, 4);    /* cells */
+  put(&l, 2, cell); /* first, at */
+  put(&l, 1, 2);    /* empty */
+  put(&l, 2, 1);    /* now, direction */
+  return l;
+}
+
+robot_memory robot_memory_of(const robot_sizes *sizes, const robot_processor *processor) {
+  const layout policy = policy_of(sizes, processor), seeker = seeker_of(sizes, processor);
+  const layout field = field_of(sizes, processor);
+  robot_memory memory = {.policy = size_of(&policy), .seeker = size_of(&seeker), .field = size_of(&field)};
+  memory.all = memory.policy + memory.seeker + memory.field;
+  return memory;
+}
