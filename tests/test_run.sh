@@ -99,6 +99,17 @@ test_what_was_skipped_is_shown_with_its_reason() {
   tool: not as root"
 }
 
+test_long_tests_run_when_they_are_asked_for_or_named() {
+  local with_firmware words
+  words_of() { with_firmware="" && read_test_words "$@" && printf '%s\n' "${with_firmware:-without}:${words[*]}"; }
+  expect "words of test" "$(words_of)" 'without:-LE ^long$'
+  expect "words of test -j 1" "$(words_of -j 1)" 'without:-j 1 -LE ^long$'
+  expect "words of test --long" "$(words_of --long)" 'without:'
+  expect "words of test --firmware --long" "$(words_of --firmware --long)" 'yes:'
+  expect "words of test --long --firmware joint -V" "$(words_of --long --firmware joint -V)" 'yes:-R joint -V'
+  expect "words of test model" "$(words_of model)" 'without:-R model'
+}
+
 test_the_demo_takes_paths_from_the_users_folder() {
   local build=$tree status=0
   build() { :; }

@@ -67,27 +67,38 @@ class BrokenOff(Case):
         errors = self.check_broken_off(net, launcher, whole=True)
         self.assertIn("no robot has answered since", errors)
 
-    def other_table(self):
+    def learn_small(self):
+        """A mission of three places that one robot sweeps in seconds, and its table."""
+        mission, table = self.folder / "small.txt", self.folder / "small.qtr"
+        mission.write_text("S.1\nS.1\nS.1\n", encoding="utf-8")
+        learnt = network.Program(program("quarter-demo", mission, "--save-table", table, "--mine", "none", "-q")).end()
+        self.assertEqual(learnt, (0, "", ""))
+        return mission, table
+
+    def other_table(self, path):
         """The same division by the same plan, in a table of another seed."""
-        table = bytearray(asked.table.read_bytes())
+        table = bytearray(path.read_bytes())
+        identity = identity_of(bytes(table))
         table[48] ^= 1
         size = int.from_bytes(table[8:12], "little")  # of the part that robots read
         table[12:16] = zlib.crc32(table[16:size]).to_bytes(4, "little")
-        path = self.folder / "other.qtr"
-        path.write_bytes(table)
-        self.assertNotEqual(identity_of(bytes(table)), asked.identity)
-        return path
+        self.assertNotEqual(identity_of(bytes(table)), identity)
+        other = self.folder / "other.qtr"
+        other.write_bytes(table)
+        return other
 
     def test_a_robot_of_another_table_or_run_is_not_believed_and_the_game_says_so(self):
-        for number, words in ((1, robot(1, "--run-number", 7)), (2, program("quarter-robot", self.other_table(), "--robot", 2))):
+        mission, table = self.learn_small()
+        other = self.other_table(table)
+        for number, words in ((1, (table, "--run-number", 7)), (2, (other,))):
             with self.subTest(number=number), Network() as net:
-                mixed = [robot(one) if one != number else words for one in range(asked.robots)]
-                game = net.start(*world("--mine", "none", "--speed", 8, "--json"))
-                crew = [net.start(*one) for one in mixed]
+                game = net.start(*program("quarter-world", mission, "--table", table, "--mine", "none", "--speed", 4))
+                crew = [net.start(*program("quarter-robot", *(words if one == number else (table,)), "--robot", one))
+                        for one in range(3)]
                 status, output, errors = game.end()
                 self.assertEqual((status, output), (BROKEN_OFF, ""))
                 self.assertIn(f"robot {number} plays another table", errors)
-                for one, ended in enumerate(program.end() for program in crew):
+                for one, ended in enumerate(each.end() for each in crew):
                     self.assertEqual(ended[0], 0, ended)
                     self.assertIn("of another table, other starts or another run ignored", ended[2], (one, ended))
 
