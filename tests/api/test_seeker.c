@@ -123,7 +123,7 @@ static unsigned best_route(unsigned self, uint16_t *route) {
 }
 
 static void test_robots_together_play_the_best_game(void) {
-  for (unsigned number = 0; number < 400; number++) {
+  for (unsigned number = 0; number < random_cases(400); number++) {
     qtr_steps visit[QTR_MAX_PLACES];
     random_robots("together", number);
     for (unsigned place = 0; place < QTR_MAX_PLACES; place++) visit[place] = QTR_NEVER;
@@ -151,7 +151,7 @@ static void test_robots_together_play_the_best_game(void) {
 
 /* On the grid, cell by cell. */
 static void test_walk_on_the_grid_takes_the_nominal_time(void) {
-  for (unsigned number = 0; number < 100; number++) {
+  for (unsigned number = 0; number < random_cases(100); number++) {
     random_robots("walk", number);
     for (unsigned self = 0; self < robots(); self++) {
       qtr_cell cell = qtr_policy_cell(&policy[self], policy[self].board.places + policy[self].board.start_of[self]);
@@ -184,7 +184,7 @@ static void expect_all_in_reach_visited(unsigned self, const qtr_places *cleared
 
 /* All others lost: whoever is left scans every place that it can reach, once. */
 static void test_single_survivor_scans_every_place_in_its_reach(void) {
-  for (unsigned number = 0; number < 400; number++) {
+  for (unsigned number = 0; number < random_cases(400); number++) {
     random_robots("survivor", number);
     for (unsigned self = 0; self < robots(); self++) {
       run_alone(self);
@@ -216,7 +216,7 @@ static void expect_neighbours_order(unsigned self, unsigned territory) {
 }
 
 static void test_neighbours_territories_follow_in_turn_from_alternate_ends(void) {
-  for (unsigned number = 0; number < 300; number++) {
+  for (unsigned number = 0; number < random_cases(300); number++) {
     random_robots("neighbours", number);
     for (unsigned self = 0; self < robots(); self++) {
       run_alone(self);
@@ -228,7 +228,7 @@ static void test_neighbours_territories_follow_in_turn_from_alternate_ends(void)
 
 /* Territories do not overlap under the free rule, and no two robots are in the same one in the same pass. */
 static void test_survivors_do_not_repeat_one_another_within_a_pass(void) {
-  for (unsigned number = 0; number < 300; number++) {
+  for (unsigned number = 0; number < random_cases(300); number++) {
     random_robots("passes", number);
     if (policy[0].board.rule == QTR_RULE_PAPER) continue;
     qtr_places seen[MOST_SEEKERS];
@@ -245,7 +245,7 @@ static void test_survivors_do_not_repeat_one_another_within_a_pass(void) {
 }
 
 static void test_cleared_places_are_not_visited_again(void) {
-  for (unsigned number = 0; number < 300; number++) {
+  for (unsigned number = 0; number < random_cases(300); number++) {
     qtr_places cleared;
     random_robots("cleared", number);
     test_random random = random_case("cleared", number + 1000000);
@@ -260,7 +260,7 @@ static void test_cleared_places_are_not_visited_again(void) {
 
 /* What all robots together take for their own when places are cleared is still every place, once. */
 static void test_territories_left_by_a_cleared_set_cover_the_rest(void) {
-  for (unsigned number = 0; number < 300; number++) {
+  for (unsigned number = 0; number < random_cases(300); number++) {
     qtr_places cleared;
     qtr_places seen;
     random_robots("rest", number);
@@ -334,7 +334,7 @@ static void expect_survivors_were_enough(unsigned alive) {
 }
 
 static void test_any_survivors_that_hear_one_another_leave_nothing_out(void) {
-  for (unsigned number = 0; number < 150; number++) {
+  for (unsigned number = 0; number < random_cases(150); number++) {
     random_robots("survivors", number);
     test_random random = random_case("survivors", number + 1000000);
     for (unsigned alive = 1; alive < 1u << robots(); alive++) {
@@ -347,7 +347,7 @@ static void test_any_survivors_that_hear_one_another_leave_nothing_out(void) {
 
 /* A territory announced is one that has been scanned whole, by those who can say so. */
 static void test_territory_is_announced_once_and_only_when_scanned(void) {
-  for (unsigned number = 0; number < 300; number++) {
+  for (unsigned number = 0; number < random_cases(300); number++) {
     random_robots("announced", number);
     for (unsigned self = 0; self < robots(); self++) {
       run_alone(self);
@@ -407,7 +407,7 @@ static void test_territory_done_by_another_is_left_at_once(void) {
 }
 
 static void test_all_stop_when_the_target_is_found(void) {
-  for (unsigned number = 0; number < 100; number++) {
+  for (unsigned number = 0; number < random_cases(100); number++) {
     random_robots("found", number);
     for (unsigned self = 0; self < robots(); self++) {
       for (unsigned visits = number % 4; visits > 0 && !is_idle(self); visits--) visit_target(self);

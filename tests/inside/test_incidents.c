@@ -204,7 +204,7 @@ static void expect_the_same_from_both(unsigned i, test_random *random) {
 }
 
 static void test_a_restart_at_any_step_changes_nothing(void) {
-  for (unsigned number = 0; number < 200; number++) {
+  for (unsigned number = 0; number < random_cases(200); number++) {
     test_random random = random_case("restart", number);
     make_tables("restart", number);
     begin();
@@ -214,7 +214,7 @@ static void test_a_restart_at_any_step_changes_nothing(void) {
 
 /* Told again what was known, in any order, without a save. */
 static void test_what_was_known_can_be_told_again_in_any_order(void) {
-  for (unsigned number = 0; number < 200; number++) {
+  for (unsigned number = 0; number < random_cases(200); number++) {
     test_random random = random_case("told", number);
     make_tables("told", number);
     begin();
@@ -239,7 +239,7 @@ static void cut_power(unsigned i, test_random *random) {
 }
 
 static void test_power_cuts_leave_nothing_out(void) {
-  for (unsigned number = 0; number < 200; number++) {
+  for (unsigned number = 0; number < random_cases(200); number++) {
     test_random random = random_case("power", number);
     make_tables("power", number);
     begin();
@@ -251,7 +251,7 @@ static void test_power_cuts_leave_nothing_out(void) {
 }
 
 static void test_torn_and_foreign_saves_are_refused(void) {
-  for (unsigned number = 0; number < 100; number++) {
+  for (unsigned number = 0; number < random_cases(100); number++) {
     make_tables("torn", number);
     begin();
     move(0);
@@ -275,7 +275,7 @@ static void test_torn_and_foreign_saves_are_refused(void) {
 /* ---- shut doors ---- */
 
 static void test_shut_doors_keep_their_territories_open(void) {
-  for (unsigned number = 0; number < 300; number++) {
+  for (unsigned number = 0; number < random_cases(300); number++) {
     test_random random = random_case("shut", number);
     make_tables("shut", number);
     begin();
@@ -288,7 +288,7 @@ static void test_shut_doors_keep_their_territories_open(void) {
 }
 
 static void test_a_door_that_opens_in_time_is_tried_again(void) {
-  for (unsigned number = 0; number < 200; number++) {
+  for (unsigned number = 0; number < random_cases(200); number++) {
     make_tables("opens", number);
     begin();
     for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) world.shut.word[w] = 0xFFFFFFFF;
@@ -302,7 +302,7 @@ static void test_a_door_that_opens_in_time_is_tried_again(void) {
 
 /* Blocked, and blocked again on the last round: no more; and not a third time. */
 static void test_a_place_is_tried_twice_and_no_more(void) {
-  for (unsigned number = 0; number < 200; number++) {
+  for (unsigned number = 0; number < random_cases(200); number++) {
     unsigned tried[QTR_MAX_PLACES] = {0};
     make_tables("twice", number);
     begin();
@@ -330,7 +330,7 @@ static void lose(unsigned i, test_random *random) {
 }
 
 static void test_lost_robots_are_taken_over_whether_anybody_is_told(void) {
-  for (unsigned number = 0; number < 400; number++) {
+  for (unsigned number = 0; number < random_cases(400); number++) {
     test_random random = random_case("lost", number);
     make_tables("lost", number);
     begin();
@@ -352,7 +352,7 @@ static bool is_through(unsigned territory) {
 
 /* Told that a seeker is lost, a robot goes there right after its own. */
 static void test_the_territory_of_a_lost_robot_comes_right_after_the_own(void) {
-  for (unsigned number = 0; number < 300; number++) {
+  for (unsigned number = 0; number < random_cases(300); number++) {
     test_random random = random_case("next", number);
     make_tables("next", number);
     begin();
@@ -386,7 +386,7 @@ static void deploy_otherwise(unsigned i, test_random *random) {
 }
 
 static void test_robots_of_different_searches_do_not_believe_one_another(void) {
-  for (unsigned number = 0; number < 400; number++) {
+  for (unsigned number = 0; number < random_cases(400); number++) {
     test_random random = random_case("mixed", number);
     make_tables("mixed", number);
     begin();
@@ -435,7 +435,7 @@ static void anything(unsigned i, test_random *random) {
 }
 
 static void test_all_incidents_at_once(void) {
-  for (unsigned number = 0; number < 400; number++) {
+  for (unsigned number = 0; number < random_cases(400); number++) {
     test_random random = random_case("all", number);
     make_tables("all", number);
     begin();

@@ -38,6 +38,14 @@ static inline double random_unit(test_random *random) {
   return qtr_splitmix_unit(&random->state);
 }
 
+/* Of so many cases those that are tried: all on a host, the first ones on a board, whose emulator takes a hundred times as long. */
+#ifndef QUARTER_TEST_SHARE
+#define QUARTER_TEST_SHARE 1
+#endif
+static inline unsigned random_cases(unsigned all) {
+  return (all + QUARTER_TEST_SHARE - 1) / QUARTER_TEST_SHARE;
+}
+
 /* Begin case `number` of a test: its random numbers, and the note that names its seed. */
 static inline test_random random_case(const char *test, unsigned number) {
   const char *moved = getenv("QUARTER_TEST_SEED");
