@@ -271,7 +271,7 @@ static bool take_terminate(const listener *l, const lcm_recv_buf_t *packet) {
 /* Of the robots and places that there are; what stands behind them says nothing. */
 static bool sound_states(const quarter_status *wire) {
   for (int robot = 0; robot < wire->robots; robot++)
-    if (wire->state[robot] < STATE_ALIVE || wire->state[robot] > STATE_STUCK) return false;
+    if (wire->state[robot] < STATE_ALIVE || wire->state[robot] > STATE_OFF) return false;
   for (int place = 0; place < wire->places; place++)
     if (wire->scanned_by[place] < -1 || wire->scanned_by[place] >= wire->robots || !is_mark(wire->found[place]))
       return false;

@@ -40,7 +40,7 @@ typedef struct {
   uint32_t identity, run; /* as of a qtr_signal */
 } message_terminate;
 
-enum message_state { STATE_ALIVE = 0, STATE_STOPPED = 1, STATE_LOST = 2, STATE_STUCK = 3 };
+enum message_state { STATE_ALIVE = 0, STATE_STOPPED = 1, STATE_LOST = 2, STATE_STUCK = 3, STATE_OFF = 4 };
 
 typedef struct {
   int64_t utime;

@@ -21,7 +21,8 @@ static int64_t utime_of(const arena *a) {
 /* The last one that there is room for says that there is no more. */
 static void note(arena *a, arena_event event) {
   if (a->events == ARENA_EVENTS) return;
-  if (a->events == ARENA_EVENTS - 1) event = (arena_event){0, EVENT_MORE, -1, -1, -1, 0.0};
+  if (a->events == ARENA_EVENTS - 1)
+    event = (arena_event){.kind = EVENT_MORE, .robot = -1, .place = -1, .territory = -1};
   event.at = a->now;
   a->event[a->events++] = event;
 }
@@ -33,6 +34,7 @@ static void hear_command(void *user, const message_command *m) {
   if (m->robot >= a->robots) return;
   a->commands++;
   arena_robot *r = &a->robot[m->robot];
+  if (r->off) return; /* said before its power failed */
   const bool still = m->left == 0.0 && m->right == 0.0;
   if (still && !r->still) r->still_since = a->now;
   r->still = still;
@@ -55,7 +57,7 @@ static void hear_terminate(void *user, const message_terminate *m) {
   if (m->signal != QTR_SIGNAL_TERRITORY_DONE || m->territory >= a->robots) return;
   if (a->done[m->territory]) return;
   a->done[m->territory] = true;
-  note(a, (arena_event){0, EVENT_DONE, m->sender, -1, m->territory, 0.0});
+  note(a, (arena_event){.kind = EVENT_DONE, .robot = m->sender, .place = -1, .territory = m->territory});
 }
 
 /* ---- setting up ---- */
@@ -124,7 +126,7 @@ static void note_scan(arena *a, int robot, int place) {
   a->scanned_at[place] = a->now;
   const bool found = place == a->mine;
   if (found) a->found_at = a->now;
-  note(a, (arena_event){0, found ? EVENT_FOUND : EVENT_SCANNED, robot, place, -1, 0.0});
+  note(a, (arena_event){.kind = found ? EVENT_FOUND : EVENT_SCANNED, .robot = robot, .place = place, .territory = -1});
 }
 
 /* Read a robot's mine sensor: every place under it counts as scanned. Whether there is a mine. */
@@ -163,40 +165,84 @@ static void publish_status(const arena *a) {
 
 void arena_publish(arena *a) {
   for (int robot = 0; robot < a->robots; robot++)
-    if (a->robot[robot].state != STATE_LOST) publish_robot(a, robot);
+    if (a->robot[robot].state != STATE_LOST && !a->robot[robot].off) publish_robot(a, robot);
   if (a->ticks % STATUS_TICKS == 0) publish_status(a);
 }
 
 /* ---- faults ---- */
 
+/* Its wheels, and what viewers see of it. */
+static void settle(arena *a, int robot) {
+  arena_robot *r = &a->robot[robot];
+  world_stop_wheels(a->w, robot, r->stuck || r->off || r->state == STATE_LOST);
+  if (r->state != STATE_LOST) r->state = r->off ? STATE_OFF : r->stuck ? STATE_STUCK : STATE_ALIVE;
+}
+
+/* With its power a robot's standing orders are gone; when it is there again, its program has as long as any to answer. */
+static void switch_power(arena *a, int robot, bool off) {
+  arena_robot *r = &a->robot[robot];
+  r->off = off;
+  r->read = r->still = false;
+  r->stopped_at = -1.0;
+  r->commanded = utime_of(a);
+  world_drive(a->w, robot, 0.0, 0.0);
+}
+
 static void strike(arena *a, const fault_event *f, int robot) {
-  static const int kinds[] = {[FAULT_LOST] = EVENT_LOST,
-                              [FAULT_STUCK] = EVENT_STUCK,
-                              [FAULT_UNSTUCK] = EVENT_UNSTUCK,
-                              [FAULT_SLIP] = EVENT_SLIP};
+  static const int kinds[] = {
+      [FAULT_LOST] = EVENT_LOST, [FAULT_STUCK] = EVENT_STUCK, [FAULT_UNSTUCK] = EVENT_UNSTUCK,
+      [FAULT_SLIP] = EVENT_SLIP, [FAULT_RESET] = EVENT_RESET, [FAULT_RESTART] = EVENT_RESTARTED};
   arena_robot *r = &a->robot[robot];
   if (r->state == STATE_LOST) return;
-  if (f->kind == FAULT_SLIP) world_slip(a->w, robot, f->share);
-  if (f->kind != FAULT_SLIP) world_stop_wheels(a->w, robot, f->kind != FAULT_UNSTUCK);
-  if (f->kind == FAULT_LOST) r->state = STATE_LOST;
-  if (f->kind == FAULT_STUCK) r->state = STATE_STUCK;
-  if (f->kind == FAULT_UNSTUCK) r->state = STATE_ALIVE;
+  switch (f->kind) {
+  case FAULT_LOST: r->state = STATE_LOST; break;
+  case FAULT_STUCK:
+  case FAULT_UNSTUCK: r->stuck = f->kind == FAULT_STUCK; break;
+  case FAULT_RESET:
+  case FAULT_RESTART: switch_power(a, robot, f->kind == FAULT_RESET); break;
+  default: world_slip(a->w, robot, f->share);
+  }
+  if (f->kind != FAULT_SLIP) settle(a, robot);
   r->anchored = a->now;
-  note(a, (arena_event){0, kinds[f->kind], robot, -1, -1, f->share});
+  note(a, (arena_event){.kind = kinds[f->kind], .robot = robot, .place = -1, .territory = -1, .share = f->share});
+}
+
+static int place_at(const arena *a, qtr_cell cell) {
+  for (int place = 0; place < a->places; place++)
+    if (qtr_policy_cell(&a->t->policy, (unsigned)place) == cell) return place;
+  return -1;
+}
+
+/* A door shuts as soon as nobody is in it. */
+static void shut_what_is_due(arena *a) {
+  const fault_script *script = a->setup.faults;
+  for (int i = 0; script != NULL && i < script->count; i++) {
+    const fault_event *f = &script->event[i];
+    if (f->kind != FAULT_SHUT || f->at > a->now || a->closed[i] || !world_shut(a->w, f->cell)) continue;
+    const point middle = ground_centre(&a->g, f->cell);
+    a->closed[i] = true;
+    note(a, (arena_event){.kind = EVENT_SHUT,
+                          .robot = -1,
+                          .place = place_at(a, f->cell),
+                          .territory = -1,
+                          .middle = {middle.x, a->g.grid.rows - middle.y}});
+  }
 }
 
 static void strike_what_is_due(arena *a) {
   const fault_script *script = a->setup.faults;
   while (script != NULL && a->next_fault < script->count && script->event[a->next_fault].at <= a->now) {
     const fault_event *f = &script->event[a->next_fault++];
+    if (f->kind == FAULT_SHUT) continue;
     if (f->kind == FAULT_LOSS) {
       bus_lose(a->b, f->share, a->setup.seed + 1);
-      note(a, (arena_event){0, EVENT_LOSS, -1, -1, -1, f->share});
+      note(a, (arena_event){.kind = EVENT_LOSS, .robot = -1, .place = -1, .territory = -1, .share = f->share});
       continue;
     }
     for (int robot = 0; robot < a->robots; robot++)
       if (f->robot < 0 || f->robot == robot) strike(a, f, robot);
   }
+  shut_what_is_due(a);
 }
 
 /* ---- time ---- */
@@ -204,20 +250,20 @@ static void strike_what_is_due(arena *a) {
 static void watch_silence(arena *a, int robot) {
   static const fault_event lost = {.kind = FAULT_LOST};
   arena_robot *r = &a->robot[robot];
-  if (r->state == STATE_LOST || !r->heard || a->now - (double)r->commanded / 1e6 <= ARENA_SILENCE) return;
+  if (r->state == STATE_LOST || r->off || !r->heard || a->now - (double)r->commanded / 1e6 <= ARENA_SILENCE) return;
   r->silent = true;
   strike(a, &lost, robot);
 }
 
 static void watch_stop(arena *a, int robot) {
   arena_robot *r = &a->robot[robot];
-  if (r->state == STATE_LOST) return;
+  if (r->state == STATE_LOST || r->off) return;
   if (!r->still || !r->heard) {
     r->stopped_at = -1.0;
     if (r->state == STATE_STOPPED) r->state = STATE_ALIVE;
   } else if (r->stopped_at < 0.0 && a->now - r->still_since >= STILL) {
     r->stopped_at = r->still_since;
-    note(a, (arena_event){0, EVENT_STOPPED, robot, -1, -1, 0.0});
+    note(a, (arena_event){.kind = EVENT_STOPPED, .robot = robot, .place = -1, .territory = -1});
   }
   /* Now, or when it is no longer stuck. */
   if (r->stopped_at >= 0.0 && r->state == STATE_ALIVE) r->state = STATE_STOPPED;
@@ -234,7 +280,7 @@ static void watch_deadlock(arena *a, int robot) {
   } else if (!r->deadlocked && a->now - r->anchored > patience) {
     r->deadlocked = true;
     a->deadlocks++;
-    note(a, (arena_event){0, EVENT_DEADLOCK, robot, -1, -1, 0.0});
+    note(a, (arena_event){.kind = EVENT_DEADLOCK, .robot = robot, .place = -1, .territory = -1});
   }
 }
 

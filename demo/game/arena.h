@@ -22,6 +22,9 @@ enum arena_kind {
   EVENT_SLIP,
   EVENT_LOSS,
   EVENT_DEADLOCK,
+  EVENT_SHUT,
+  EVENT_RESET,
+  EVENT_RESTARTED,
   EVENT_MORE /* more happened than is kept */
 };
 
@@ -30,6 +33,7 @@ typedef struct {
   int kind;                    /* enum arena_kind */
   int robot, place, territory; /* -1: none */
   double share;
+  point middle; /* of what is shut, in cells from the top left corner of the grid */
 } arena_event;
 
 #define ARENA_EVENTS 2048
@@ -46,6 +50,8 @@ typedef struct {
 /* Of one robot. */
 typedef struct {
   enum message_state state;
+  bool stuck;                     /* its wheels do nothing */
+  bool off;                       /* it has no power */
   bool heard;                     /* a command came */
   bool silent;                    /* none came for long: it is lost, for its program has ended */
   bool read;                      /* and asks for its mine sensor to be read */
@@ -69,6 +75,7 @@ typedef struct {
   double now; /* seconds */
   uint64_t ticks;
   int next_fault;
+  bool closed[FAULTS_MOST]; /* what the fault of that number shuts is shut */
   arena_robot robot[DEMO_MOST_ROBOTS];
   int8_t scanned_by[QTR_MAX_PLACES]; /* -1: nobody yet */
   double scanned_at[QTR_MAX_PLACES];

@@ -60,6 +60,13 @@ static bool announce(void *self, qtr_signal *signal) {
   return false;
 }
 
+static bool known(void *self, unsigned index, qtr_signal *signal) {
+  (void)self;
+  (void)index;
+  (void)signal;
+  return false;
+}
+
 void baseline_init(baseline *b, const qtr_policy *policy, int self, baseline *crew) {
   memset(b, 0, sizeof *b);
   b->policy = policy;
@@ -71,5 +78,5 @@ void baseline_init(baseline *b, const qtr_policy *policy, int self, baseline *cr
 }
 
 robot_pilot baseline_pilot(baseline *b) {
-  return (robot_pilot){b, 0, 0, target, visited, blocked, found, hear, announce};
+  return (robot_pilot){b, 0, 0, target, visited, blocked, found, hear, announce, known};
 }

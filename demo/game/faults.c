@@ -13,6 +13,14 @@ int faults_add(fault_script *script, fault_event event) {
   return 0;
 }
 
+int faults_count(const fault_script *script, int kind) {
+  int count = 0;
+  for (int i = 0; script != NULL && i < script->count; i++) count += script->event[i].kind == kind;
+  return count;
+}
+
+/* ---- numbers ---- */
+
 /* The number at a key, in a range; `otherwise` if the key is not there. */
 static int read_number(tree *yaml, tree_node *item, const char *key, double least, double most, double otherwise,
                        double *number) {
@@ -36,78 +44,124 @@ static int read_robot(tree *yaml, tree_node *item, const char *key, int robots, 
   return 0;
 }
 
+/* ---- what is shut ---- */
+
+static int read_position(tree *yaml, tree_node *node, const table *t, qtr_cell *cell) {
+  static tree_keys keys = {"column", "row", NULL};
+  tree_node *column_node, *row_node;
+  long column, row;
+  if (tree_check_keys(yaml, node, "shut", keys, false) != 0) return -1;
+  if ((column_node = tree_need(yaml, node, "shut", "column", "4")) == NULL) return -1;
+  if ((row_node = tree_need(yaml, node, "shut", "row", "9")) == NULL) return -1;
+  if (tree_integer(yaml, column_node, "column", &column) != 0 || tree_integer(yaml, row_node, "row", &row) != 0)
+    return -1;
+  const bool inside = column >= 0 && column < t->claim.map_columns && row >= 0 && row < t->claim.map_rows;
+  *cell = inside ? table_cell(t, (int)column, (int)row) : QTR_NO_CELL;
+  if (*cell != QTR_NO_CELL && qtr_grid_cost(&t->policy.grid, *cell) != 0) return 0;
+  return tree_fault(yaml, node, "shut: no robot can get to column %ld, row %ld as it is; name a free cell of the map",
+                    column, row);
+}
+
+/* A place by its number, or a cell by its column and row on the map. */
+static int read_shut(tree *yaml, tree_node *item, const table *t, qtr_cell *cell) {
+  tree_node *node = tree_find(yaml, item, "shut");
+  long place;
+  if (tree_find(yaml, node, "column") != NULL || tree_find(yaml, node, "row") != NULL)
+    return read_position(yaml, node, t, cell);
+  if (tree_integer(yaml, node, "shut", &place) != 0) return -1;
+  if (place < 0 || place >= t->policy.board.places)
+    return tree_fault(yaml, node, "shut: there is no place %ld; they are 0 to %d", place, t->policy.board.places - 1);
+  *cell = qtr_policy_cell(&t->policy, (unsigned)place);
+  return 0;
+}
+
+/* ---- a fault ---- */
+
+/* What a fault can be, by its key, and the key that says whose it is. */
+typedef struct {
+  const char *key, *whose;
+  int kind;
+} fault_name;
+
+static const fault_name names[] = {{"lost", "lost", FAULT_LOST},  {"stuck", "stuck", FAULT_STUCK},
+                                   {"slip", "robot", FAULT_SLIP}, {"loss", NULL, FAULT_LOSS},
+                                   {"shut", NULL, FAULT_SHUT},    {"reset", "reset", FAULT_RESET}};
+enum { NAMES = sizeof names / sizeof *names };
+
 static int add(fault_script *script, tree *yaml, tree_node *item, fault_event event) {
   if (faults_add(script, event) == 0) return 0;
   return tree_fault(yaml, item, "more than %d faults; leave some out", FAULTS_MOST);
 }
 
-static int read_stuck(fault_script *script, tree *yaml, tree_node *item, double at, int robot) {
+/* One that ends by itself. */
+static int add_passing(fault_script *script, tree *yaml, tree_node *item, fault_event event) {
+  const bool stuck = event.kind == FAULT_STUCK;
   double seconds;
-  if (read_number(yaml, item, "for", 0.0, LATEST, 10.0, &seconds) != 0) return -1;
-  if (add(script, yaml, item, (fault_event){at, FAULT_STUCK, robot, 0.0}) != 0) return -1;
-  return add(script, yaml, item, (fault_event){at + seconds, FAULT_UNSTUCK, robot, 0.0});
+  if (read_number(yaml, item, "for", stuck ? 0.0 : 1.0, LATEST, stuck ? 10.0 : 3.0, &seconds) != 0) return -1;
+  if (add(script, yaml, item, event) != 0) return -1;
+  event.at += seconds;
+  event.kind = stuck ? FAULT_UNSTUCK : FAULT_RESTART;
+  return add(script, yaml, item, event);
 }
 
-static int read_share(fault_script *script, tree *yaml, tree_node *item, double at, const char *key, int kind,
-                      int robot) {
-  double share;
-  if (read_number(yaml, item, key, 0.0, 0.95, 0.0, &share) != 0) return -1;
-  return add(script, yaml, item, (fault_event){at, kind, robot, share});
-}
-
-/* What a fault is: the one of these keys that it has. */
-static int read_kind(tree *yaml, tree_node *item, int *kind) {
-  static const char *const keys[] = {"lost", "stuck", "slip", "loss"};
-  static const int kinds[] = {FAULT_LOST, FAULT_STUCK, FAULT_SLIP, FAULT_LOSS};
+/* The one of the names that it has; NULL, with the fault told, if it has none, or several. */
+static const fault_name *read_name(tree *yaml, tree_node *item) {
+  const fault_name *name = NULL;
   int count = 0;
-  for (int i = 0; i < 4; i++) {
-    if (tree_find(yaml, item, keys[i]) == NULL) continue;
-    *kind = kinds[i];
+  for (int i = 0; i < NAMES; i++) {
+    if (tree_find(yaml, item, names[i].key) == NULL) continue;
+    name = &names[i];
     count++;
   }
-  if (count != 1) return tree_fault(yaml, item, "a fault names one of lost, stuck, slip or loss, as {at: 20, lost: 1}");
-  if (*kind != FAULT_STUCK && tree_find(yaml, item, "for") != NULL)
-    return tree_fault(yaml, item, "for goes with stuck, as {at: 15, stuck: 0, for: 10}");
-  if (*kind != FAULT_SLIP && tree_find(yaml, item, "robot") != NULL)
+  if (count == 1) return name;
+  tree_fault(yaml, item, "a fault names one of lost, stuck, slip, loss, shut or reset, as {at: 20, lost: 1}");
+  return NULL;
+}
+
+static int check_company(tree *yaml, tree_node *item, int kind) {
+  if (kind != FAULT_STUCK && kind != FAULT_RESET && tree_find(yaml, item, "for") != NULL)
+    return tree_fault(yaml, item, "for goes with stuck and reset, as {at: 15, stuck: 0, for: 10}");
+  if (kind != FAULT_SLIP && tree_find(yaml, item, "robot") != NULL)
     return tree_fault(yaml, item, "robot goes with slip, as {at: 0, slip: 0.3, robot: 2}");
   return 0;
 }
 
-static int read_fault(fault_script *script, tree *yaml, tree_node *item, int robots) {
-  static tree_keys keys = {"at", "lost", "stuck", "for", "slip", "robot", "loss", NULL};
-  double at;
-  int kind = FAULT_LOST, robot;
-  if (tree_check_keys(yaml, item, "a fault", keys, false) != 0 || read_kind(yaml, item, &kind) != 0) return -1;
-  if (read_number(yaml, item, "at", 0.0, LATEST, 0.0, &at) != 0) return -1;
-  const char *whose = kind == FAULT_LOST ? "lost" : kind == FAULT_STUCK ? "stuck" : "robot";
-  if (read_robot(yaml, item, whose, robots, &robot) != 0) return -1;
-  switch (kind) {
-  case FAULT_LOST: return add(script, yaml, item, (fault_event){at, FAULT_LOST, robot, 0.0});
-  case FAULT_STUCK: return read_stuck(script, yaml, item, at, robot);
-  case FAULT_SLIP: return read_share(script, yaml, item, at, "slip", FAULT_SLIP, robot);
-  default: return read_share(script, yaml, item, at, "loss", FAULT_LOSS, -1);
-  }
+static int read_fault(fault_script *script, tree *yaml, tree_node *item, const table *t) {
+  static tree_keys keys = {"at", "lost", "stuck", "for", "slip", "robot", "loss", "shut", "reset", NULL};
+  fault_event event = {.robot = -1};
+  if (tree_check_keys(yaml, item, "a fault", keys, false) != 0) return -1;
+  const fault_name *name = read_name(yaml, item);
+  if (name == NULL || check_company(yaml, item, name->kind) != 0) return -1;
+  event.kind = name->kind;
+  if (read_number(yaml, item, "at", 0.0, LATEST, 0.0, &event.at) != 0) return -1;
+  if (name->whose != NULL && read_robot(yaml, item, name->whose, t->policy.board.seekers, &event.robot) != 0) return -1;
+  if (event.kind == FAULT_STUCK || event.kind == FAULT_RESET) return add_passing(script, yaml, item, event);
+  if (event.kind == FAULT_SHUT && read_shut(yaml, item, t, &event.cell) != 0) return -1;
+  if ((event.kind == FAULT_SLIP || event.kind == FAULT_LOSS) &&
+      read_number(yaml, item, name->key, 0.0, 0.95, 0.0, &event.share) != 0)
+    return -1;
+  return add(script, yaml, item, event);
 }
 
-static int read_list(fault_script *script, tree *yaml, int robots) {
+static int read_list(fault_script *script, tree *yaml, const table *t) {
   static tree_keys keys = {"faults", NULL};
   if (tree_check_keys(yaml, tree_root(yaml), "a fault script", keys, false) != 0) return -1;
   tree_node *list = tree_need(yaml, tree_root(yaml), "a fault script", "faults", "faults: [{at: 20, lost: 1}]");
   if (list == NULL) return -1;
   if (tree_count(list) < 0) return tree_fault(yaml, list, "faults is a list, as [{at: 20, lost: 1}]");
   for (int i = 0; i < tree_count(list); i++)
-    if (read_fault(script, yaml, tree_item(yaml, list, i), robots) != 0) return -1;
+    if (read_fault(script, yaml, tree_item(yaml, list, i), t) != 0) return -1;
   return 0;
 }
 
-int faults_read(fault_script *script, const char *path, int robots, fault *why) {
+int faults_read(fault_script *script, const char *path, const table *t, fault *why) {
   file_bytes bytes;
   tree yaml;
   script->count = 0;
   if (file_read(&bytes, path, FILE_TEXT_LIMIT, NULL, why) != 0) return -1;
   int status = tree_read(&yaml, path, &bytes, why);
   if (status == 0) {
-    status = read_list(script, &yaml, robots);
+    status = read_list(script, &yaml, t);
     tree_free(&yaml);
   }
   file_free(&bytes);

@@ -1,6 +1,7 @@
 #include "game.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "baselines.h"
@@ -16,6 +17,7 @@ typedef struct {
   arena a;
   bus *b;
   qtr_seeker seeker[DEMO_MOST_ROBOTS];
+  uint8_t save[DEMO_MOST_ROBOTS][QTR_SAVE_BYTES]; /* of the seekers, in memory that outlasts a reset */
   baseline baseline[DEMO_MOST_ROBOTS];
   robot *crew;
 } game;
@@ -34,14 +36,19 @@ double game_plan_seconds(const table *t) {
   return last * game_step_seconds();
 }
 
+double game_door_seconds(const table *t, const fault_script *faults) {
+  if (faults_count(faults, FAULT_SHUT) == 0) return 0.0;
+  return 2 * HOPE_PATIENCE / 1e6 * t->policy.board.places + 4 * t->policy.board.seekers * game_plan_seconds(t);
+}
+
 /* ---- setting up ---- */
 
-static robot_pilot make_pilot(game *g, const game_setup *setup, int i) {
-  if (setup->strategy == STRATEGY_PLAN) {
-    qtr_seeker_init(&g->seeker[i], &setup->t->policy, (unsigned)i, NULL, setup->arena.run);
-    return robot_pilot_of_plan(&g->seeker[i]);
-  }
-  return baseline_pilot(&g->baseline[i]);
+static robot_pilot pilot_of(game *g, const game_setup *setup, int i) {
+  return setup->strategy == STRATEGY_PLAN ? robot_pilot_of_plan(&g->seeker[i]) : baseline_pilot(&g->baseline[i]);
+}
+
+static void start_robot(game *g, const game_setup *setup, int i) {
+  robot_init(&g->crew[i], &setup->t->policy, i, setup->arena.clear_all, pilot_of(g, setup, i), wiring_voice(g->b));
 }
 
 static void make_crew(game *g, const game_setup *setup) {
@@ -49,7 +56,8 @@ static void make_crew(game *g, const game_setup *setup) {
   for (int i = 0; i < robots; i++)
     baseline_init(&g->baseline[i], &setup->t->policy, i, setup->strategy == STRATEGY_INFORMED ? g->baseline : NULL);
   for (int i = 0; i < robots; i++) {
-    robot_init(&g->crew[i], &setup->t->policy, i, setup->arena.clear_all, make_pilot(g, setup, i), wiring_voice(g->b));
+    qtr_seeker_init(&g->seeker[i], &setup->t->policy, (unsigned)i, NULL, setup->arena.run);
+    start_robot(g, setup, i);
     wiring_listen(g->b, &g->crew[i]);
   }
 }
@@ -79,12 +87,33 @@ static void keep_pace(double begin, double now, double speed) {
   nanosleep(&wait, NULL);
 }
 
+/* A robot saves what it knows after each place and each signal, so that between two ticks its save is what it knows now. All
+ * else that it had in memory is gone. */
+static void cut_power(game *g, int i) {
+  qtr_seeker_save(&g->seeker[i], g->save[i], sizeof g->save[i]);
+  memset(&g->seeker[i], 0, sizeof g->seeker[i]);
+  g->crew[i].off = true;
+}
+
+static void restart(game *g, const game_setup *setup, int i) {
+  qtr_seeker_restore(&g->seeker[i], &setup->t->policy, (unsigned)i, g->save[i], sizeof g->save[i]);
+  start_robot(g, setup, i);
+}
+
+static void tend_power(game *g, const game_setup *setup) {
+  for (int i = 0; i < g->a.robots; i++) {
+    if (g->a.robot[i].off && !g->crew[i].off) cut_power(g, i);
+    if (!g->a.robot[i].off && g->crew[i].off) restart(g, setup, i);
+  }
+}
+
 static void play(game *g, const game_setup *setup, const volatile int *interrupted) {
   const double begin = clock_seconds();
   while (!arena_over(&g->a) && (interrupted == NULL || *interrupted == 0) && !bus_log_failed(g->b)) {
     arena_publish(&g->a);
     bus_drain(g->b);
     arena_advance(&g->a);
+    tend_power(g, setup);
     if (setup->watch != NULL) setup->watch(setup->user, &g->a);
     keep_pace(begin, g->a.now, setup->speed);
   }

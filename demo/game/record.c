@@ -177,13 +177,21 @@ static void describe(char text[120], const arena_event *e) {
                                      [EVENT_LOST] = "is lost",
                                      [EVENT_STUCK] = "is stuck",
                                      [EVENT_UNSTUCK] = "drives again",
-                                     [EVENT_DEADLOCK] = "makes no way"};
+                                     [EVENT_DEADLOCK] = "makes no way",
+                                     [EVENT_RESET] = "has no power",
+                                     [EVENT_RESTARTED] = "has power again, and goes on from its save"};
   switch (e->kind) {
   case EVENT_SCANNED: snprintf(text, 120, "robot %d scanned place %d: clear", e->robot, e->place); break;
   case EVENT_FOUND: snprintf(text, 120, "robot %d found it at place %d", e->robot, e->place); break;
   case EVENT_DONE: snprintf(text, 120, "territory %d is done", e->territory); break;
   case EVENT_SLIP: snprintf(text, 120, "robot %d's wheels slip by up to %.0f %%", e->robot, 100 * e->share); break;
   case EVENT_LOSS: snprintf(text, 120, "%.0f %% of the signals are lost from now on", 100 * e->share); break;
+  case EVENT_SHUT:
+    if (e->place >= 0)
+      snprintf(text, 120, "place %d is shut: nobody gets to it", e->place);
+    else
+      snprintf(text, 120, "a door is shut");
+    break;
   case EVENT_MORE: snprintf(text, 120, "more happened than is kept: from here on it is left out"); break;
   default: snprintf(text, 120, "robot %d %s", e->robot, does[e->kind]);
   }
@@ -191,10 +199,12 @@ static void describe(char text[120], const arena_event *e) {
 
 static void write_event(json *j, const arena_event *e) {
   static const char *const kinds[] = {
-      [EVENT_SCANNED] = "scanned",   [EVENT_FOUND] = "found", [EVENT_DONE] = "territory_done",
-      [EVENT_STOPPED] = "stopped",   [EVENT_LOST] = "lost",   [EVENT_STUCK] = "stuck",
-      [EVENT_UNSTUCK] = "unstuck",   [EVENT_SLIP] = "slip",   [EVENT_LOSS] = "loss",
-      [EVENT_DEADLOCK] = "deadlock", [EVENT_MORE] = "more"};
+      [EVENT_SCANNED] = "scanned", [EVENT_FOUND] = "found",         [EVENT_DONE] = "territory_done",
+      [EVENT_STOPPED] = "stopped", [EVENT_LOST] = "lost",           [EVENT_STUCK] = "stuck",
+      [EVENT_UNSTUCK] = "unstuck", [EVENT_SLIP] = "slip",           [EVENT_LOSS] = "loss",
+      [EVENT_SHUT] = "shut",       [EVENT_DEADLOCK] = "deadlock",   [EVENT_MORE] = "more",
+      [EVENT_RESET] = "reset",     [EVENT_RESTARTED] = "restarted",
+  };
   char text[120];
   describe(text, e);
   json_flat_object(j, NULL);
@@ -203,6 +213,10 @@ static void write_event(json *j, const arena_event *e) {
   if (e->robot >= 0) json_integer(j, "robot", e->robot);
   if (e->place >= 0) json_integer(j, "place", e->place);
   if (e->territory >= 0) json_integer(j, "territory", e->territory);
+  if (e->kind == EVENT_SHUT) {
+    json_number(j, "x", e->middle.x);
+    json_number(j, "y", e->middle.y);
+  }
   json_string(j, "text", text);
   json_end_object(j);
 }

@@ -30,7 +30,7 @@ void runs_draw_loss(fault_script *script, const plan *p, uint64_t seed) {
   rng_seed(&dice, seed ^ 0x51554152544552u);
   const int robot = (int)(rng_next(&dice) % p->t.policy.board.seekers);
   const double at = rng_unit(&dice) * game_plan_seconds(&p->t);
-  faults_add(script, (fault_event){at, FAULT_LOST, robot, 0.0});
+  faults_add(script, (fault_event){at, FAULT_LOST, robot, 0.0, 0});
 }
 
 static int count_visits(void *user, const arena *a, const game_result *result, fault *why) {

@@ -28,7 +28,7 @@ static double seconds(int64_t utime) {
 }
 
 static void tell(follower *f, int64_t utime, int kind, int robot, int place, int territory) {
-  const arena_event e = {seconds(utime), kind, robot, place, territory, 0.0};
+  const arena_event e = {.at = seconds(utime), .kind = kind, .robot = robot, .place = place, .territory = territory};
   live_event(f->view, &e);
 }
 
@@ -59,10 +59,12 @@ static void compare_robots(follower *f, const message_status *m) {
   static const int kinds[] = {[STATE_ALIVE] = EVENT_UNSTUCK,
                               [STATE_STOPPED] = EVENT_STOPPED,
                               [STATE_LOST] = EVENT_LOST,
-                              [STATE_STUCK] = EVENT_STUCK};
+                              [STATE_STUCK] = EVENT_STUCK,
+                              [STATE_OFF] = EVENT_RESET};
   for (int i = 0; i < m->robots; i++) {
     if (m->state[i] == f->last.state[i]) continue;
-    tell(f, m->utime, kinds[m->state[i]], i, -1, -1);
+    const bool back = m->state[i] == STATE_ALIVE && f->last.state[i] == STATE_OFF;
+    tell(f, m->utime, back ? EVENT_RESTARTED : kinds[m->state[i]], i, -1, -1);
   }
 }
 

@@ -12,11 +12,13 @@
 #include <unistd.h>
 
 #include "arena.h"
+#include "bus.h"
 #include "host/base/clock.h"
 #include "patience.h"
 #include "world.h"
 
 #define WORDS_MOST 40
+#define INHERITED 256 /* files that the launcher has open, at most: its children need none of them */
 
 typedef struct {
   char folder[PATH_MAX]; /* of the programs */
@@ -24,8 +26,11 @@ typedef struct {
   pid_t world;
   pid_t robot[DEMO_MOST_ROBOTS]; /* 0: it has ended */
   int robots;
-  bool abandoned; /* all robots' processes ended before the world's */
-  double since;   /* when they had */
+  const settings *s;
+  bus *b;                                             /* by which the world says who has no power; NULL: all have */
+  bool dark[DEMO_MOST_ROBOTS], cut[DEMO_MOST_ROBOTS]; /* has none, by the world; and so its process was ended */
+  bool abandoned;                                     /* all robots' processes ended before the world's */
+  double since;                                       /* when they had */
 } crew;
 
 /* ---- starting ---- */
@@ -68,6 +73,7 @@ static pid_t start(const crew *c, const char *program, const char *const *words)
   sigprocmask(SIG_SETMASK, &before, NULL);
   if (child != 0) return child;
   setpgid(0, 0);
+  for (int file = 3; file < INHERITED; file++) close(file);
   execv(path, (char *const *)(uintptr_t)words);
   fprintf(stderr, "quarter: %s: %s\n", path, strerror(errno));
   _exit(127);
@@ -120,8 +126,15 @@ static pid_t start_world(const crew *c, const settings *s) {
   return start(c, "quarter-world", w.word);
 }
 
-static pid_t start_robot(const crew *c, const settings *s, int number) {
-  char self[16], run[16];
+/* Where a robot keeps what must outlast a reset: beside the table. */
+static const char *save_of(char path[PATH_MAX + 16], const crew *c, int number) {
+  snprintf(path, PATH_MAX + 16, "%s-robot%d", c->table, number);
+  return path;
+}
+
+static pid_t start_robot(const crew *c, int number) {
+  const settings *s = c->s;
+  char self[16], run[16], save[PATH_MAX + 16];
   words w = {0, {NULL}};
   snprintf(self, sizeof self, "%d", number);
   snprintf(run, sizeof run, "%d", s->run);
@@ -130,8 +143,53 @@ static pid_t start_robot(const crew *c, const settings *s, int number) {
   add_pair(&w, "--robot", self);
   add_pair(&w, "--lcm-url", s->lcm_url);
   add_pair(&w, "--run-number", run);
+  add_pair(&w, "--save", c->b != NULL ? save_of(save, c, number) : NULL);
   add_mark(&w, "--clear-all", s->clear_all);
   return start(c, "quarter-robot", w.word);
+}
+
+/* ---- power ---- */
+
+static void hear_status(void *user, const message_status *m) {
+  crew *c = user;
+  for (int i = 0; i < c->robots && i < m->robots; i++) c->dark[i] = m->state[i] == STATE_OFF;
+}
+
+/* Nothing of this is needed where no power fails. */
+static int open_power(crew *c, const fault_script *faults, fault *why) {
+  if (faults_count(faults, FAULT_RESET) == 0) return 0;
+  if (bus_open(&c->b, c->s->lcm_url, why) != 0) return -1;
+  bus_hear_status(c->b, hear_status, c);
+  return 0;
+}
+
+static void close_power(crew *c) {
+  char save[PATH_MAX + 16];
+  for (int i = 0; c->b != NULL && i < c->robots; i++) unlink(save_of(save, c, i));
+  bus_close(c->b);
+}
+
+/* A process without power ends in whatever it is at. */
+static void cut_power(crew *c, int number) {
+  c->cut[number] = true;
+  if (c->robot[number] <= 0) return;
+  kill(c->robot[number], SIGKILL);
+  waitpid(c->robot[number], NULL, 0);
+  c->robot[number] = 0;
+}
+
+static void tend_power(crew *c) {
+  if (c->b == NULL) return;
+  bus_drain(c->b);
+  for (int i = 0; i < c->robots; i++) {
+    if (c->dark[i] == c->cut[i]) continue;
+    if (c->dark[i]) {
+      cut_power(c, i);
+    } else {
+      c->cut[i] = false;
+      c->robot[i] = start_robot(c, i);
+    }
+  }
 }
 
 /* ---- watching and ending ---- */
@@ -151,7 +209,7 @@ static void note_end_of_robot(crew *c, pid_t child, int status) {
       fprintf(stderr, "quarter-demo: robot %d's process ended (%s %d)\n", i, WIFSIGNALED(status) ? "signal" : "status",
               WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
     }
-    left += c->robot[i] > 0;
+    left += c->robot[i] > 0 || c->cut[i];
   }
   if (left > 0) return;
   c->abandoned = true;
@@ -174,6 +232,7 @@ static int watch(crew *c, double speed, const volatile int *interrupted) {
     if (*interrupted != 0 && !told) kill(c->world, SIGINT);
     told = *interrupted != 0;
     hurry(c, speed);
+    tend_power(c);
     const pid_t child = waitpid(-1, &status, WNOHANG);
     if (child == c->world) return status;
     if (child > 0) note_end_of_robot(c, child, status);
@@ -193,14 +252,19 @@ static int judge(const crew *c, int status, bool interrupted, fault *why) {
   return ended == EXIT_BAD_INPUT ? EXIT_BAD_INPUT : EXIT_BROKEN_OFF;
 }
 
-int launch(const settings *s, const plan *p, const volatile int *interrupted, fault *why) {
-  crew c = {.robots = p->t.policy.board.seekers};
-  if (find_programs(&c, why) != 0 || write_table(&c, p, why) != 0) return EXIT_BAD_INPUT;
+int launch(const settings *s, const plan *p, const fault_script *faults, const volatile int *interrupted, fault *why) {
+  crew c = {.robots = p->t.policy.board.seekers, .s = s};
+  if (find_programs(&c, why) != 0 || open_power(&c, faults, why) != 0) return EXIT_BAD_INPUT;
+  if (write_table(&c, p, why) != 0) {
+    bus_close(c.b);
+    return EXIT_BAD_INPUT;
+  }
   fflush(NULL);
   c.world = start_world(&c, s);
-  for (int i = 0; i < c.robots; i++) c.robot[i] = start_robot(&c, s, i);
+  for (int i = 0; i < c.robots; i++) c.robot[i] = start_robot(&c, i);
   const int status = c.world > 0 ? watch(&c, s->speed, interrupted) : -1;
   end_robots(&c);
+  close_power(&c);
   unlink(c.table);
   return judge(&c, status, *interrupted != 0, why);
 }

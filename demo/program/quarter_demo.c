@@ -76,7 +76,8 @@ static int play(const settings *s, const fault_script *faults, fault *why) {
                             .watch = watch,
                             .finish = finish,
                             .speed = s->live && s->speed <= 0.0 ? 1.0 : s->speed,
-                            .arena = {s->seed, s->clear_all, s->mine, faults, 4 * game_plan_seconds(&p.t) + 120}};
+                            .arena = {s->seed, s->clear_all, s->mine, faults,
+                                      4 * game_plan_seconds(&p.t) + 120 + game_door_seconds(&p.t, faults)}};
   record_begin(&w.r, &p);
   int status = s->live ? live_open(&w.view, s->port, why) : 0;
   if (status == 0 && w.view != NULL) {
@@ -161,10 +162,11 @@ static int print_figures(const runs_figures *f, const settings *s, fault *why) {
 
 static int play_many(const settings *s, const fault_script *faults, fault *why) {
   runs_figures f;
-  const game_setup setup = {.t = &p.t,
-                            .strategy = s->strategy,
-                            .arena = {s->seed, s->clear_all, s->mine, faults,
-                                      (4 + 4 * p.t.policy.board.seekers) * game_plan_seconds(&p.t) + 300}};
+  const game_setup setup = {
+      .t = &p.t,
+      .strategy = s->strategy,
+      .arena = {s->seed, s->clear_all, s->mine, faults,
+                (4 + 4 * p.t.policy.board.seekers) * game_plan_seconds(&p.t) + 300 + game_door_seconds(&p.t, faults)}};
   int status = runs_play(&f, &p, &setup, s->runs, s->lose_one, &interrupted, s->quiet, why);
   if (status == 0 && f.games > 0) status = print_figures(&f, s, why);
   runs_free(&f);
@@ -175,7 +177,7 @@ static int play_many(const settings *s, const fault_script *faults, fault *why) 
 
 /* The plan is made: what is asked for. The exit status, with *why set if it is not 0; so below. */
 static int play_as_asked(const settings *s, const fault_script *faults, fault *why) {
-  if (s->processes) return launch(s, &p, &interrupted, why);
+  if (s->processes) return launch(s, &p, faults, &interrupted, why);
   int status = 0;
   if (s->follow)
     status = follow(s, &p, &interrupted, why);
@@ -185,10 +187,9 @@ static int play_as_asked(const settings *s, const fault_script *faults, fault *w
 }
 
 static int run_plan(const settings *s, fault *why) {
-  const int robots = p.t.policy.board.seekers;
   const int places = p.t.policy.board.places;
   fault_script faults = {0};
-  if (s->faults != NULL && faults_read(&faults, s->faults, robots, why) != 0) return EXIT_BAD_INPUT;
+  if (s->faults != NULL && faults_read(&faults, s->faults, &p.t, why) != 0) return EXIT_BAD_INPUT;
   if (s->mine >= places) {
     fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
     return EXIT_BAD_INPUT;

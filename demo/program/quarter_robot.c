@@ -10,6 +10,7 @@
 #include "host/base/clock.h"
 #include "host/base/count.h"
 #include "host/base/option.h"
+#include "host/base/outfile.h"
 #include "host/table/table_check.h"
 #include "patience.h"
 #include "printing.h"
@@ -19,7 +20,7 @@
 #define TABLE_MOST (64u << 20)
 
 typedef struct {
-  const char *table, *url;
+  const char *table, *url, *save;
   uint8_t self; /* NOBODY: not said */
   uint32_t run;
   bool clear_all, help, version;
@@ -49,6 +50,11 @@ static option_table records = {
      .kind = OPTION_COUNT,
      OPTION_FIELD(words, run),
      .last = 0x7FFFFFFE},
+    {.name = "save",
+     .argument = "FILE",
+     .help = "keep there what must outlast a reset, and go on from it if there is one",
+     .kind = OPTION_TEXT,
+     OPTION_FIELD(words, save)},
     {.name = "clear-all", .help = "a find stops nobody", .kind = OPTION_MARK, OPTION_FIELD(words, clear_all)},
     {.name = "help", .letter = 'h', .help = "tell what there is", .kind = OPTION_MARK, OPTION_FIELD(words, help)},
     {.name = "version", .help = "print it", .kind = OPTION_MARK, OPTION_FIELD(words, version)},
@@ -60,8 +66,9 @@ static const char intro[] =
     "It hears its own pose and scan and TERMINATE, and says its own command and TERMINATE. Start quarter-world first.\n"
     "\n";
 
-static const option_line lines[] = {{"robot", NULL, 22},     {"lcm-url", NULL, 22}, {"run-number", NULL, 22},
-                                    {"clear-all", NULL, 22}, {"version", NULL, 22}, {NULL, NULL, 0}};
+static const option_line lines[] = {{"robot", NULL, 22}, {"lcm-url", NULL, 22},   {"run-number", NULL, 22},
+                                    {"save", NULL, 22},  {"clear-all", NULL, 22}, {"version", NULL, 22},
+                                    {NULL, NULL, 0}};
 
 static const char outro[] =
     "\n"
@@ -110,6 +117,37 @@ static int tell(const words *w) {
   return print_end("quarter-robot");
 }
 
+/* ---- what outlasts a reset ---- */
+
+static uint8_t saved[QTR_SAVE_BYTES];
+static bool unsaved; /* it could not be written, and that was said */
+
+/* As at the start, or from the save, if that is of this robot, table and run. QTR_OK, or what qtr_seeker_init() says. */
+static int begin(const words *w) {
+  FILE *file = w->save != NULL ? fopen(w->save, "rb") : NULL;
+  const uint32_t size = file != NULL ? (uint32_t)fread(saved, 1, sizeof saved, file) : 0;
+  if (file != NULL) fclose(file);
+  if (qtr_seeker_restore(&seeker, &policy, w->self, saved, size) == QTR_OK && seeker.run == w->run) return QTR_OK;
+  return qtr_seeker_init(&seeker, &policy, w->self, NULL, w->run);
+}
+
+/* Write it when it has changed: after each place and each signal. A robot that cannot searches on all the same. */
+static void keep(const words *w) {
+  uint8_t now[QTR_SAVE_BYTES];
+  outfile out;
+  fault why;
+  if (w->save == NULL || unsaved) return;
+  const int32_t size = qtr_seeker_save(&seeker, now, sizeof now);
+  if (size < 0 || memcmp(now, saved, (size_t)size) == 0) return;
+  memcpy(saved, now, (size_t)size);
+  if (outfile_open(&out, w->save, &why) == 0) {
+    fwrite(now, 1, (size_t)size, out.file);
+    if (outfile_commit(&out, &why) == 0) return;
+  }
+  unsaved = true;
+  complain("after a reset it would begin anew", why.text);
+}
+
 /* ---- the bus ---- */
 
 /* A world ends without a word. What it leaves is a robot that has stopped, or one that is still on its way. */
@@ -130,6 +168,7 @@ static int run(bus *b, const words *w) {
   wiring_listen(b, &self);
   while (!ended) {
     bus_wait(b, 100);
+    keep(w);
     const double now = clock_seconds();
     if (self.poses != poses) last = now;
     poses = self.poses;
@@ -180,7 +219,7 @@ int main(int argc, char **argv) {
   int status = open_table(bytes, size);
   if (status != QTR_OK) return complain(w.table, qtr_strerror(status));
   if (table_check(&policy, w.table, &why) != 0) return refuse(&why);
-  status = qtr_seeker_init(&seeker, &policy, w.self, NULL, w.run);
+  status = begin(&w);
   if (status != QTR_OK) return complain("--robot", "the table has no such robot");
   if (bus_open(&b, w.url, &why) != 0) return complain("the bus", why.text);
   signal(SIGINT, on_end);

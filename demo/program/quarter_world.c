@@ -161,7 +161,11 @@ static int play_with_robots(const settings *s, bus *b, fault *why) {
 
 /* The exit status, with *why set if it is not 0. */
 static int serve(const settings *s, bus *b, const fault_script *faults, fault *why) {
-  const arena_setup setup = {s->seed,         s->clear_all, s->mine, faults, 4 * game_plan_seconds(&p.t) + 120,
+  const arena_setup setup = {s->seed,
+                             s->clear_all,
+                             s->mine,
+                             faults,
+                             4 * game_plan_seconds(&p.t) + 120 + game_door_seconds(&p.t, faults),
                              (uint32_t)s->run};
   if (check_alone(b, why) != 0) return EXIT_BAD_INPUT;
   if (s->log != NULL && bus_record(b, s->log, why) != 0) return EXIT_BAD_INPUT;
@@ -194,8 +198,7 @@ static int run(const settings *s, fault *why) {
   const int unprepared = prepare(&p, s, why);
   if (unprepared != 0) return unprepared;
   catch_interrupts();
-  if (check_mine(s, why) == 0 &&
-      (s->faults == NULL || faults_read(&faults, s->faults, p.t.policy.board.seekers, why) == 0) &&
+  if (check_mine(s, why) == 0 && (s->faults == NULL || faults_read(&faults, s->faults, &p.t, why) == 0) &&
       bus_open(&b, s->lcm_url, why) == 0)
     status = serve(s, b, &faults, why);
   bus_close(b);

@@ -39,9 +39,13 @@ static bool plan_announce(void *self, qtr_signal *signal) {
   return qtr_seeker_announce(self, signal);
 }
 
+static bool plan_known(void *self, unsigned index, qtr_signal *signal) {
+  return qtr_seeker_known(self, index, signal);
+}
+
 robot_pilot robot_pilot_of_plan(qtr_seeker *seeker) {
-  return (robot_pilot){seeker,       seeker->identity, seeker->run, plan_target,  plan_visited,
-                       plan_blocked, plan_found,       plan_hear,   plan_announce};
+  return (robot_pilot){seeker,       seeker->identity, seeker->run, plan_target,   plan_visited,
+                       plan_blocked, plan_found,       plan_hear,   plan_announce, plan_known};
 }
 
 void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, robot_pilot pilot, robot_voice voice) {
@@ -53,6 +57,8 @@ void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, ro
   r->pilot = pilot;
   r->voice = voice;
   r->asked = QTR_STAND_DOWN;
+  qtr_signal signal;
+  for (unsigned i = 0; pilot.known(pilot.self, i, &signal); i++) gossip_learn(&r->known, signal.kind, signal.territory);
 }
 
 bool robot_stopped(const robot *r) {
@@ -93,6 +99,7 @@ static bool signal_of(qtr_signal *signal, const message_terminate *m) {
 }
 
 void robot_hear_pose(robot *r, const message_pose *m) {
+  if (r->off) return;
   r->pose = *m;
   r->poses++;
   if (!robot_stopped(r)) return;
@@ -102,7 +109,7 @@ void robot_hear_pose(robot *r, const message_pose *m) {
 
 void robot_hear_terminate(robot *r, const message_terminate *m) {
   qtr_signal signal;
-  if (m->sender == r->self || !signal_of(&signal, m)) return;
+  if (r->off || m->sender == r->self || !signal_of(&signal, m)) return;
   if (signal.kind == QTR_SIGNAL_FOUND && r->clear_all) return;
   if (r->pilot.hear(r->pilot.self, &signal)) gossip_learn(&r->known, signal.kind, signal.territory);
   if (r->known.news && robot_stopped(r)) rest(r);
@@ -200,6 +207,7 @@ static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
 
 void robot_hear_scan(robot *r, const message_scan *m) {
   driver_wheels wheels = {0.0, 0.0};
+  if (r->off) return;
   r->utime = m->utime;
   if (r->poses > 0) {
     heed_reading(r, m);

@@ -21,6 +21,8 @@ typedef struct {
   void (*found)(void *self);                          /* it was there and found the target */
   bool (*hear)(void *self, const qtr_signal *signal); /* false: it is of another search */
   bool (*announce)(void *self, qtr_signal *signal);   /* what it has finished, or found */
+  /* The signals that it knows of when it sets out, after a reset: false from the first index on that there is none. */
+  bool (*known)(void *self, unsigned index, qtr_signal *signal);
 } robot_pilot;
 
 /* The pilot of the plan; `seeker` must be initialised and outlive it. */
@@ -39,6 +41,7 @@ typedef struct {
   ground g;
   int self;
   bool clear_all; /* a find stops nobody */
+  bool off;       /* it has no power: it hears nothing, and so it says nothing */
   robot_pilot pilot;
   robot_voice voice;
   gossip known;
@@ -56,6 +59,7 @@ typedef struct {
   qtr_field way;
 } robot;
 
+/* At its start, or after a reset, with a pilot that knows what it knew: what that has heard the robot repeats. */
 void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, robot_pilot pilot, robot_voice voice);
 
 void robot_hear_pose(robot *r, const message_pose *m);

@@ -164,7 +164,7 @@ function bodyPath(context, radius, hasStopped) {
 }
 
 function drawBody(context, radius, robot, kind) {
-  const isGone = kind === "lost";
+  const isGone = kind === "lost" || kind === "reset";
   bodyPath(context, radius, kind === "stopped");
   context.fillStyle = isGone ? style.ground : colour(robot);
   context.fill();
@@ -185,14 +185,31 @@ function drawLost(context, x, y, radius) {
   }
 }
 
-function drawStuck(context, x, y, radius) {
+/* A cell that is a wall from now on: barred, with what it holds still to be seen. */
+function drawShut(context, { x, y }) {
+  const left = (x - 0.5) * view.cell, top = (y - 0.5) * view.cell, side = view.cell;
+  for (const [width, ink] of [[5, style.ground], [2.5, style.fault]]) {
+    context.lineWidth = width;
+    context.strokeStyle = ink;
+    context.beginPath();
+    context.rect(left, top, side, side);
+    for (const part of [1 / 3, 2 / 3]) {
+      context.moveTo(left + part * side, top);
+      context.lineTo(left + part * side, top + side);
+    }
+    context.stroke();
+  }
+}
+
+/* A robot that does nothing for a while, and the sign that says why. */
+function drawHalted(context, x, y, radius, sign) {
   circle(context, x, y, radius * 1.7);
   context.strokeStyle = style.fault;
   context.lineWidth = 2.5;
   context.setLineDash([4, 3]);
   context.stroke();
   context.setLineDash([]);
-  label(context, "!", x + radius * 1.4, y - radius * 1.4, 15, style.fault, style.ground);
+  label(context, sign, x + radius * 1.4, y - radius * 1.4, 15, style.fault, style.ground);
 }
 
 /* Larger than the true robot where that would be too small to see. */
@@ -217,13 +234,15 @@ function drawRobot(context, model, state, robot, now) {
   if (isGone) {
     drawLost(context, x, y, radius);
     label(context, String(robot), x - radius * 2.1, y, Math.round(radius * 1.35), colour(robot), style.ground);
-  } else label(context, String(robot), x, y, Math.round(radius * 1.35), inkOn(robot));
-  if (kind === "stuck") drawStuck(context, x, y, radius);
+  } else label(context, String(robot), x, y, Math.round(radius * 1.35), kind === "reset" ? colour(robot) : inkOn(robot));
+  if (kind === "stuck") drawHalted(context, x, y, radius, "!");
+  if (kind === "reset") drawHalted(context, x, y, radius, "off");
 }
 
 /* Where an event is to be seen: at its place, or where its robot is now; null: nowhere. */
 function spotOf(model, event, now) {
   if (validIndex(event.place)) return model.data.places[event.place];
+  if (event.kind === "shut") return event;
   return validIndex(event.robot) && FAULTS.has(event.kind) ? poseAt(model, event.robot, now) : null;
 }
 
@@ -255,6 +274,7 @@ function drawMap(model, state, now) {
     drawTrail(context, model, robot, now);
   }
   model.data.places.forEach((_, number) => drawPlace(context, model, state, number));
+  for (const event of state.shut) drawShut(context, event);
   drawPulses(context, model, state.passed, now);
   for (let robot = 0; robot < model.data.robots; robot++) drawRobot(context, model, state, robot, now);
   drawNumbers(context, model, now);

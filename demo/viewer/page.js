@@ -7,7 +7,7 @@ const EPSILON = 1e-6; // seconds: an event at 12.3 has happened at 12.3, whateve
 const SPEEDS = [1, 2, 5, 10, 20];
 const TRAIL = 8; // seconds
 const PULSE = 1.2; // seconds that an event glows on the map
-const FAULTS = new Set(["lost", "stuck", "loss", "slip", "collision", "deadlock"]);
+const FAULTS = new Set(["lost", "stuck", "reset", "shut", "loss", "slip", "collision", "deadlock"]);
 const stillMedia = matchMedia("(prefers-reduced-motion: reduce)");
 
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
@@ -48,7 +48,7 @@ function icon(name) {
 }
 
 function iconOf(kind) {
-  if (kind === "lost") return "lost";
+  if (["lost", "reset", "shut"].includes(kind)) return kind;
   if (FAULTS.has(kind)) return "fault";
   if (kind === "end") return "stopped";
   return $(`icon-${kind}`) ? kind : "other";

@@ -64,7 +64,7 @@ function changeSpeed(step) {
 
 /* Spoken only for what a listener would stop for, and only when it happens, not when it is jumped over. */
 function speakOf(events) {
-  const told = events.filter((event) => event.kind === "found" || event.kind === "lost" || event.kind === "stuck");
+  const told = events.filter(({ kind }) => ["found", "lost", "stuck", "reset", "shut"].includes(kind));
   if (told.length > 0) say("said", told.map((event) => event.text || event.kind).join("; "));
 }
 

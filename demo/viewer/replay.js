@@ -27,7 +27,8 @@ const isIndex = (value, count) => value == null || (Number.isInteger(value) && v
 
 function isEvent(event, data) {
   return Boolean(event) && finite(event.t) && typeof event.kind === "string" &&
-    isIndex(event.robot, data.robots) && isIndex(event.place, data.places.length);
+    isIndex(event.robot, data.robots) && isIndex(event.place, data.places.length) &&
+    (event.kind !== "shut" || (finite(event.x) && finite(event.y)));
 }
 
 const isEvents = (list, data) => Array.isArray(list) && list.every((event) => isEvent(event, data));
@@ -94,11 +95,11 @@ function poseAt(model, r, t) {
 
 const validIndex = (value) => Number.isInteger(value) && value >= 0;
 
-/* A robot that acts again was not stopped or stuck for good; a lost one stays lost. */
+/* A robot that acts again was not stopped, stuck or without power for good; a lost one stays lost. */
 function passRobot(state, event) {
   const robot = state.robots[event.robot];
   if (!robot || robot.kind === "lost") return;
-  if (["stopped", "lost", "stuck"].includes(event.kind)) Object.assign(robot, { kind: event.kind, since: event.t });
+  if (["stopped", "lost", "stuck", "reset"].includes(event.kind)) Object.assign(robot, { kind: event.kind, since: event.t });
   else if (!FAULTS.has(event.kind)) robot.kind = "moving";
 }
 
@@ -122,12 +123,13 @@ function passPlace(state, event, model) {
 /* What the events so far say; `passed` is how many there were. */
 function stateAfter(model, passed) {
   const state = {
-    passed, scanned: 0, faults: 0, likelihood: 0, curve: [], finds: 0,
+    passed, scanned: 0, faults: 0, likelihood: 0, curve: [], finds: 0, shut: [],
     robots: Array.from({ length: model.data.robots }, () => ({ kind: "moving", since: 0 })),
     places: model.data.places.map(() => ({ at: null, found: null })),
   };
   for (const event of model.events.slice(0, passed)) {
     if (FAULTS.has(event.kind)) state.faults++;
+    if (event.kind === "shut") state.shut.push(event);
     passRobot(state, event);
     passPlace(state, event, model);
   }

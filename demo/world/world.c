@@ -130,6 +130,19 @@ void world_slip(world *w, int robot, double share) {
   w->vehicle[robot].slip = share;
 }
 
+static bool reaches_into(const world *w, int robot, point middle) {
+  const point at = world_pose_of(w, robot).at;
+  return fabs(at.x - middle.x) < 0.5 + DEMO_RADIUS && fabs(at.y - middle.y) < 0.5 + DEMO_RADIUS;
+}
+
+bool world_shut(world *w, qtr_cell cell) {
+  const point middle = ground_centre(&w->g, cell);
+  for (int robot = 0; robot < w->robots; robot++)
+    if (reaches_into(w, robot, middle)) return false;
+  add_box(w->id, middle.x - 0.5, middle.y - 0.5, 1, 1);
+  return true;
+}
+
 /* An autoregressive drift: correlated over half a second or so. */
 static double drift(world *w, double noise) {
   return 0.95 * noise + 0.31 * WORLD_WHEEL_NOISE * rng_normal(&w->dice);

@@ -44,6 +44,9 @@ void world_look(const world *w, int robot, float *range, int count);
 void world_stop_wheels(world *w, int robot, bool stopped); /* stuck, or lost: the body stays in the way */
 void world_slip(world *w, int robot, double share);        /* of its speed that the wheels lose, at random, 0..1 */
 
+/* Make a wall of a cell, for good. False, with nothing done, while a robot is in it or reaches into it. */
+bool world_shut(world *w, qtr_cell cell);
+
 /* Times that two robots ran into one another. */
 int world_collisions(const world *w);
 

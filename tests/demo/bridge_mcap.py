@@ -69,7 +69,7 @@ class TestMcap(Bridge):
                "scan": {"read": [2, -1], "mine": [2, -1], "range": one_wrong_ray(math.nan, math.inf, -0.5, 2e9)},
                "command": {"left": wrong, "right": wrong, "read": [2, -128]},
                "terminate": {"sender": [-1, 16, 2**31 - 1], "signal": [0, 3, -1], "territory": [-1, 16, -2**31]},
-               "status": {"robots": [-1, 17], "places": [-1, 129], "mines_found": [-1, 4], "state": [[0, 4] + [0] * 14, [-1] * 16],
+               "status": {"robots": [-1, 17], "places": [-1, 129], "mines_found": [-1, 4], "state": [[0, 5] + [0] * 14, [-1] * 16],
                           "scanned_by": [[2] * 128, [-2] * 128], "found": [[2] + [0] * 127, [0, -1] + [0] * 126]}}
         channels = {"terminate": "QUARTER_TERMINATE", "status": "QUARTER_STATUS"}
         events, counts = [("QUARTER_R16_POSE", make("pose", **pose_at(STEP, 16)))], {"QUARTER_R16_POSE": (1, 0)}

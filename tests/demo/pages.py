@@ -12,7 +12,7 @@ import webdriver
 LINE = '<script id="replay" type="application/json">null</script>'
 SCANS = ("scanned", "found")  # a place where a mine was found was scanned
 OPEN_PLACES = "document.querySelector('#places').open = true"
-FAULTS = ("lost", "stuck", "loss", "slip")
+FAULTS = ("lost", "stuck", "reset", "shut", "loss", "slip")
 NUMBERS = ("found-at", "planned-at", "all-stopped-at", "duplicates", "collisions", "deadlocks", "messages-pose",
            "messages-terminate")
 TIME = "parseFloat(document.querySelector('#time').dataset.value)"

@@ -13,7 +13,7 @@ import lcmlog
 import network
 from lcmlog import COMMAND, DONE, FOUND, POSE, SCAN, TERMINATE
 from network import await_file
-from programs import Case, asked, demo, page_data
+from programs import Case, asked, demo, page_data, terminate
 
 
 class Strangers(Case):
@@ -35,9 +35,9 @@ class Strangers(Case):
             (f"QUARTER_R{number}_SCAN", SCAN.encode(robot=number, read=1, mine=1, range=[-1.0] * 24, **at)),
             (f"QUARTER_R{number}_COMMAND", COMMAND.encode(robot=number, left=bad, right=0.0, read=1, **at)),
             (f"QUARTER_R{number}_COMMAND", COMMAND.encode(robot=far, left=1.0, right=0.0, read=1, **at)),
-            ("QUARTER_TERMINATE", TERMINATE.encode(sender=far, signal=FOUND, territory=0, **at)),
-            ("QUARTER_TERMINATE", TERMINATE.encode(sender=number, signal=signal_number, territory=0, **at)),
-            ("QUARTER_TERMINATE", TERMINATE.encode(sender=number, signal=DONE, territory=far, **at))])
+            ("QUARTER_TERMINATE", terminate(sender=far, signal=FOUND, **at)),
+            ("QUARTER_TERMINATE", terminate(sender=number, signal=signal_number, **at)),
+            ("QUARTER_TERMINATE", terminate(sender=number, signal=DONE, territory=far, **at))])
 
     def cut(self, dice):
         """A sound message's first bytes, or with more behind them, or with its mark alone."""

@@ -3,6 +3,7 @@
 import json
 import os
 import signal
+import tempfile
 from pathlib import Path
 
 import lcmlog
@@ -105,6 +106,23 @@ class Ends(Case):
         self.assertLess(dead["utime"] / 1e6, result["planned_at"])
         self.assertEqual({(command["left"], command["right"]) for command in last.values()}, {(0.0, 0.0)})
         self.assertLess(game["duration"] - result["found_at"], 30, "the survivors stopped, but the game goes on")
+
+    def test_robots_whose_power_fails_go_on_from_their_saves(self):
+        net = self.network()
+        script = self.folder / "faults.yaml"
+        resets = ", ".join(f"{{at: {2 + number}, reset: {number}, for: 1.5}}" for number in range(asked.robots))
+        script.write_text(f"faults: [{resets}]\n", encoding="utf-8")
+        before = set(Path(tempfile.gettempdir()).glob("quarter-demo-*"))
+        game, errors = self.play(net, "--mine", asked.soon[-1], "--speed", 2, "--faults", script)
+        self.assertEqual(errors, "")
+        self.assertIsNotNone(game["result"]["found_at"], game)
+        self.assertIsNotNone(game["result"]["all_stopped_at"], game)
+        events = page_data(self.folder / "game.html")["events"]
+        for kind in ("reset", "restarted"):
+            self.assertEqual({event["robot"] for event in events if event["kind"] == kind}, set(range(asked.robots)))
+        self.assertEqual([event for event in events if event["kind"] == "lost"], [])
+        left = set(Path(tempfile.gettempdir()).glob("quarter-demo-*")) - before
+        self.assertEqual([path for path in left if "-robot" in path.name and "game.html" not in path.name], [])
 
     def test_the_world_killed(self):
         net = self.network()

@@ -132,6 +132,30 @@ class RobotAlone(Case):
         self.assertEqual(scripted.program.end()[0], 0)  # the world is silent: it is over
         self.check_wire(scripted, wire)
 
+    def start_again(self, scripted, save):
+        """It is killed and started anew; the places that it reads over before its next new one."""
+        scripted.program.kill()
+        seen, scripted.reads = len(scripted.scanned), []
+        scripted.start(*robot(self.NUMBER, "--save", save))
+        while len(scripted.scanned) == seen:
+            scripted.tick()
+            self.assertLess(scripted.utime, 2000e6)
+        return set(scripted.reads) - set(scripted.scanned[seen:])
+
+    def test_killed_and_started_again_it_goes_on_from_its_save_and_anew_from_a_torn_one(self):
+        save = self.folder / "robot.save"
+        scripted = ScriptedWorld(asked.plan, self.NUMBER, self.network())
+        scripted.start(*robot(self.NUMBER, "--save", save))
+        while len(scripted.scanned) < 2:
+            scripted.tick()
+        scripted.tick()  # it has heard what was under its sensor
+        self.assertEqual(self.start_again(scripted, save), set())
+        scripted.tick()
+        known = set(scripted.scanned)
+        save.write_bytes(save.read_bytes()[:-1])
+        self.assertEqual(self.start_again(scripted, save), known)
+        scripted.program.kill()
+
     def test_it_stops_and_says_so_when_its_sensor_sees_the_mine(self):
         scripted, wire = self.begin()
         while not scripted.scanned:

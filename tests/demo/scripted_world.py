@@ -23,6 +23,7 @@ class ScriptedWorld:
         self.utime = 0
         self.read = 0
         self.scanned = []
+        self.reads = []  # places over which the sensor was read, again and again
         self.said = set()
         self.publisher = net.publisher()
         self.listener = net.listen()
@@ -35,11 +36,12 @@ class ScriptedWorld:
     def start(self, *words):
         """Start the robot; it hears and answers when this returns. As every world it says the robot's pose until it does."""
         self.program = self.net.start(*words)
+        self.at, self.read = len(self.listener.heard), 0
         answered = None
         while answered is None:
             self.publish(False)
             answered = self.listener.await_message(lambda _, channel, __: channel == self.channel("COMMAND"),
-                                                   "an answer of the robot's", seconds=TICK)
+                                                   "an answer of the robot's", begin=self.at, seconds=TICK)
 
     def publish(self, mine):
         number = self.number
@@ -53,8 +55,9 @@ class ScriptedWorld:
         """Say where it is, take its command for that, and move. The command."""
         self.utime += 50_000
         if self.read:
-            self.scanned += [place for place, (x, y) in enumerate(self.places)
-                             if math.hypot(x - self.x, y - self.y) < MINE_RANGE and place not in self.scanned]
+            under = [place for place, (x, y) in enumerate(self.places) if math.hypot(x - self.x, y - self.y) < MINE_RANGE]
+            self.scanned += [place for place in under if place not in self.scanned]
+            self.reads += under
         self.publish(mine)
 
         def answers(source, channel, data):

@@ -67,7 +67,7 @@ static void test_eight_robots_out_of_a_dead_end_one_cell_wide_clear_the_ground(v
 /* ---- faults ---- */
 
 static void test_with_signals_lost_all_hear_of_the_find_by_and_by(void) {
-  const fault_script loss = {1, {{0.0, FAULT_LOSS, -1, 0.9}}};
+  const fault_script loss = {1, {{0.0, FAULT_LOSS, -1, 0.9, 0}}};
   play_prepare_drawn("1...S...2/.###.###./3.......4", 4);
   for (uint64_t seed = 1; seed <= 10; seed++) {
     snprintf(case_note, sizeof case_note, "signals lost, seed %llu", (unsigned long long)seed);
@@ -90,7 +90,7 @@ static void test_the_world_hears_nobody_more_often_than_it_was_spoken_to(void) {
 }
 
 static void test_all_robots_lost_find_nothing_and_the_game_ends(void) {
-  const fault_script lost = {1, {{1.0, FAULT_LOST, -1, 0.0}}};
+  const fault_script lost = {1, {{1.0, FAULT_LOST, -1, 0.0, 0}}};
   play_prepare_drawn("1...S...2", 2);
   game_setup setup = play_setup(1);
   setup.arena.faults = &lost;
@@ -101,7 +101,7 @@ static void test_all_robots_lost_find_nothing_and_the_game_ends(void) {
 }
 
 static void test_a_robot_that_is_stuck_goes_on_afterwards(void) {
-  const fault_script stuck = {2, {{2.0, FAULT_STUCK, 0, 0.0}, {12.0, FAULT_UNSTUCK, 0, 0.0}}};
+  const fault_script stuck = {2, {{2.0, FAULT_STUCK, 0, 0.0, 0}, {12.0, FAULT_UNSTUCK, 0, 0.0, 0}}};
   play_prepare_drawn("S........1", 0);
   play(play_setup(1));
   const double free = play_result.found_at;
@@ -116,7 +116,7 @@ static void test_a_robot_that_is_stuck_goes_on_afterwards(void) {
 /* ---- who counts as stopped, and as making no way ---- */
 
 static void test_a_robot_that_cannot_move_makes_no_way_and_is_noted_once(void) {
-  const fault_script slip = {1, {{0.0, FAULT_STUCK, 0, 0.0}}};
+  const fault_script slip = {1, {{0.0, FAULT_STUCK, 0, 0.0, 0}}};
   play_prepare_drawn("S....1", 0);
   game_setup setup = play_setup(1);
   setup.arena.faults = &slip;
@@ -129,7 +129,7 @@ static void test_a_robot_that_cannot_move_makes_no_way_and_is_noted_once(void) {
 
 /* Robot 0 is done at once; long after that its wheels are stuck for a second. It still has stopped, of its own will. */
 static void test_who_has_stopped_stays_stopped_when_its_wheels_were_stuck(void) {
-  const fault_script stuck = {2, {{10.0, FAULT_STUCK, 0, 0.0}, {11.0, FAULT_UNSTUCK, 0, 0.0}}};
+  const fault_script stuck = {2, {{10.0, FAULT_STUCK, 0, 0.0, 0}, {11.0, FAULT_UNSTUCK, 0, 0.0, 0}}};
   play_prepare_drawn("1S###S~~~~~~~~~~~~~~2", 0);
   game_setup setup = play_setup(1);
   setup.arena.mine = -2;

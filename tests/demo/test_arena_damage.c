@@ -61,7 +61,7 @@ static void test_a_game_that_one_robot_plays_to_the_end_is_not_abandoned(void) {
 
 /* They are lost as the script says: that game was played to its end, but nobody stopped. */
 static void test_a_game_whose_robots_are_all_lost_by_the_script_is_over_and_not_abandoned(void) {
-  const fault_script faults = {2, {{1.0, FAULT_LOST, 0, 0.0}, {2.0, FAULT_LOST, 1, 0.0}}};
+  const fault_script faults = {2, {{1.0, FAULT_LOST, 0, 0.0, 0}, {2.0, FAULT_LOST, 1, 0.0, 0}}};
   open_arena(&faults);
   for (int robot = 0; robot < 2; robot++) command(robot, 1.0);
   advance(1.5);

@@ -114,7 +114,7 @@ static void send_status(test_random *random) {
                       .robots = (int)random_below(random, DEMO_MOST_ROBOTS + 1),
                       .places = 1 + (int)random_below(random, DEMO_MOST_PLACES),
                       .mines_found = (int)random_below(random, 2)};
-  for (int i = 0; i < DEMO_MOST_ROBOTS; i++) m.state[i] = (int8_t)random_below(random, 4);
+  for (int i = 0; i < DEMO_MOST_ROBOTS; i++) m.state[i] = (int8_t)random_below(random, 5);
   for (int i = 0; i < DEMO_MOST_PLACES; i++)
     m.scanned_by[i] = (int8_t)((int)random_below(random, (unsigned)m.robots + 1) - 1);
   for (int i = 0; i < DEMO_MOST_PLACES; i++) m.found[i] = (int8_t)random_below(random, 2);

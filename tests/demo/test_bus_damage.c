@@ -278,7 +278,7 @@ static void test_signals_and_territories_that_are_none_are_ignored(void) {
 
 /* Of the robots and places that the message says there are, 4 and 16. */
 static void test_states_and_scanners_that_are_none_are_ignored(void) {
-  static const int8_t states[] = {-1, 4, INT8_MIN, INT8_MAX};
+  static const int8_t states[] = {-1, 5, INT8_MIN, INT8_MAX};
   static const int8_t scanners[] = {-2, 4, INT8_MIN, INT8_MAX};
   for (int i = 0; i < 4; i++) {
     put_changed(KIND_STATUS, STATES + 3, (uint8_t)states[i], 1);

@@ -75,7 +75,7 @@ static void find_the_mine(const char *mission, uint64_t seed) {
 
 static void lose_each_robot_alone(const char *mission) {
   for (int robot = 0; robot < play_plan.t.policy.board.seekers; robot++) {
-    const fault_script lost = {1, {{0.0, FAULT_LOST, robot, 0.0}}};
+    const fault_script lost = {1, {{0.0, FAULT_LOST, robot, 0.0, 0}}};
     snprintf(case_note, sizeof case_note, "%s, robot %d lost", mission, robot);
     game_setup setup = play_setup(10 + (uint64_t)robot);
     setup.arena.faults = &lost;

@@ -80,7 +80,7 @@ static void test_with_any_one_robot_lost_anywhere_it_is_found(void) {
     do random_table(&random, (mission_size){8, 8, 5, 4});
     while (!all_start_together());
     const int lost = (int)random_below(&random, table_mission.seekers);
-    faults_add(&script, (fault_event){12.0 * random_unit(&random), FAULT_LOST, lost, 0.0});
+    faults_add(&script, (fault_event){12.0 * random_unit(&random), FAULT_LOST, lost, 0.0, 0});
     play((arena_setup){.seed = number, .mine = -1, .faults = &script, .time_limit = 1500});
     TEST_ASSERT_TRUE_MESSAGE(result.found_at >= 0.0, case_note);
     TEST_ASSERT_TRUE_MESSAGE(result.all_stopped_at >= 0.0, case_note);

@@ -137,9 +137,14 @@ static double track_number(const char *key) {
 }
 
 static void test_the_record_is_json_whatever_happened(void) {
-  const fault_script faults = {
-      4,
-      {{0.0, FAULT_LOSS, -1, 0.5}, {1.0, FAULT_SLIP, -1, 0.5}, {2.0, FAULT_STUCK, 1, 0.0}, {3.0, FAULT_LOST, 0, 0.0}}};
+  const fault_script faults = {7,
+                               {{0.0, FAULT_LOSS, -1, 0.5, 0},
+                                {0.0, FAULT_SHUT, -1, 0.0, 8},
+                                {1.0, FAULT_SLIP, -1, 0.5, 0},
+                                {1.0, FAULT_RESET, 2, 0.0, 0},
+                                {2.0, FAULT_STUCK, 1, 0.0, 0},
+                                {2.5, FAULT_RESTART, 2, 0.0, 0},
+                                {3.0, FAULT_LOST, 0, 0.0, 0}}};
   play_prepare_drawn("1...S...2/.#~..###./3.......4", 3);
   for (int mine = -2; mine < 4; mine++) {
     game_setup setup = play_setup(5);
@@ -150,6 +155,27 @@ static void test_the_record_is_json_whatever_happened(void) {
     TEST_ASSERT_TRUE_MESSAGE(is_json(json_of_game), json_of_game);
     tearDown();
   }
+}
+
+/* What is shut is a place, at the right end of the top row, or a cell of the row below. */
+static void test_the_record_tells_what_was_shut_and_who_had_no_power(void) {
+  const fault_script faults = {4,
+                               {{0.0, FAULT_SHUT, -1, 0.0, 5},
+                                {0.0, FAULT_SHUT, -1, 0.0, 7},
+                                {1.0, FAULT_RESET, 0, 0.0, 0},
+                                {2.5, FAULT_RESTART, 0, 0.0, 0}}};
+  play_prepare_drawn("S.1..2/......", 0);
+  game_setup setup = play_setup(5);
+  setup.arena.mine = 0;
+  setup.arena.faults = &faults;
+  record_game(setup, NULL);
+  TEST_ASSERT_NOT_NULL_MESSAGE(
+      strstr(json_of_game, "\"kind\": \"shut\", \"place\": 1, \"x\": 5.5, \"y\": 0.5, \"text\": \"place 1 is shut"),
+      json_of_game);
+  TEST_ASSERT_NOT_NULL_MESSAGE(
+      strstr(json_of_game, "\"kind\": \"shut\", \"x\": 1.5, \"y\": 1.5, \"text\": \"a door is shut\""), json_of_game);
+  TEST_ASSERT_NOT_NULL(strstr(json_of_game, "robot 0 has no power"));
+  TEST_ASSERT_NOT_NULL(strstr(json_of_game, "robot 0 has power again"));
 }
 
 static void test_the_record_says_what_happened(void) {
@@ -271,6 +297,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_the_checker_tells_json_from_what_is_none);
   RUN_TEST(test_the_record_is_json_whatever_happened);
+  RUN_TEST(test_the_record_tells_what_was_shut_and_who_had_no_power);
   RUN_TEST(test_the_record_says_what_happened);
   RUN_TEST(test_tracks_begin_at_the_start);
   RUN_TEST(test_there_is_a_sample_every_tenth_of_a_second);

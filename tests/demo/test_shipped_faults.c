@@ -20,12 +20,11 @@ static int events_until(double end, int kind, int robot) {
 }
 
 static void assert_strikes(const fault_event *f, double end) {
-  static const int kinds[] = {[FAULT_LOST] = EVENT_LOST,
-                              [FAULT_STUCK] = EVENT_STUCK,
-                              [FAULT_UNSTUCK] = EVENT_UNSTUCK,
-                              [FAULT_SLIP] = EVENT_SLIP,
-                              [FAULT_LOSS] = EVENT_LOSS};
-  const bool all = f->robot < 0 && f->kind != FAULT_LOSS;
+  static const int kinds[] = {
+      [FAULT_LOST] = EVENT_LOST,   [FAULT_STUCK] = EVENT_STUCK,      [FAULT_UNSTUCK] = EVENT_UNSTUCK,
+      [FAULT_SLIP] = EVENT_SLIP,   [FAULT_LOSS] = EVENT_LOSS,        [FAULT_SHUT] = EVENT_SHUT,
+      [FAULT_RESET] = EVENT_RESET, [FAULT_RESTART] = EVENT_RESTARTED};
+  const bool all = f->robot < 0 && f->kind == FAULT_SLIP;
   for (int robot = all ? 0 : f->robot; robot < (all ? play_arena.robots : f->robot + 1); robot++)
     TEST_ASSERT_GREATER_THAN_INT_MESSAGE(0, events_until(end, kinds[f->kind], robot), case_note);
 }
@@ -36,7 +35,7 @@ static void play_with_faults(const char *mission) {
   snprintf(path, sizeof path, "%s/demo/missions/%s/mission.yaml", QUARTER_SOURCE_DIR, mission);
   play_prepare(path, 0);
   snprintf(path, sizeof path, "%s/demo/missions/%s/faults.yaml", QUARTER_SOURCE_DIR, mission);
-  const int status = faults_read(&faults, path, play_plan.t.policy.board.seekers, &play_why);
+  const int status = faults_read(&faults, path, &play_plan.t, &play_why);
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, status, play_why.text);
   TEST_ASSERT_GREATER_THAN_INT(1, faults.count);
   game_setup setup = play_setup(DEFAULT_SEED);

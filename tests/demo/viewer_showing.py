@@ -123,6 +123,8 @@ class Showing(Pages):
             at.update(x=at["x"] + left, y=at["y"] + top)
         told["starts"] = [[x + left, y + top] for x, y in told["starts"]]
         told["routes"] = [[[x + left, y + top] for x, y in route] for route in told["routes"]]
+        for event in told["events"]:
+            event.update({axis: event[axis] + by for axis, by in (("x", left), ("y", top)) if axis in event})
         for track in told["tracks"]:
             track.update(x=[x + 100 * left for x in track["x"]], y=[y + 100 * top for y in track["y"]])
         return told
@@ -164,6 +166,22 @@ class Showing(Pages):
                 self.assertIn(float(f"{float(length):e}".partition("e")[0]), (1, 2, 5))
                 self.assertLess(bar, map_width / 2)
                 self.assertGreater(bar, 15)
+
+    def test_a_door_that_is_shut_and_a_robot_without_power_are_marked_from_then_on(self):
+        door = next(event for event in SAMPLE["events"] if event["kind"] == "shut")
+        bars = []
+        for t, kind in ((10.0, "moving"), (11.0, "reset"), (13.0, "moving")):
+            self.open_replay()
+            self.scrub(t)
+            self.browser.draw(2)
+            bars.append(self.browser.run("""
+                const [left, right, y, columns] = arguments, map = document.querySelector("#map"), cell = map.width / columns;
+                const image = new Uint32Array(map.getContext("2d").getImageData(0, 0, map.width, map.height).data.buffer);
+                return [left, right].map((x) => image[Math.floor(y * cell) * map.width + Math.floor(x * cell)])""",
+                door["x"] - 1 / 6, door["x"] + 1 / 6, door["y"], SAMPLE["map"]["columns"]))
+            self.assertEqual(self.browser.run("return player.state.robots[2].kind"), kind)
+        self.assertTrue(all(before != after for before, after in zip(bars[0], bars[1])), bars)
+        self.assertEqual(bars[1], bars[2])
 
     def colours_at(self, place):
         """How many of a place's two sides differ from the bare ground: a mark is drawn there."""

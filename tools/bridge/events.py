@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 ALIVE = 0
-STATES = {ALIVE: "alive again", 1: "stopped", 2: "lost", 3: "stuck"}
-BAD = (2, 3)
+STATES = {ALIVE: "alive again", 1: "stopped", 2: "lost", 3: "stuck", 4: "without power"}
+BAD = (2, 3, 4)
 BEHIND = 1_000_000  # microseconds; an older message came late, one older than that is of a world started anew
 
 

@@ -43,7 +43,7 @@ def status(m):
     robots, places = m["robots"], m["places"]
     if not (0 <= robots <= MOST_ROBOTS and 0 <= places <= MOST_PLACES):
         return {"robots": 0 <= robots <= MOST_ROBOTS, "places": 0 <= places <= MOST_PLACES}
-    return {"mines_found": 0 <= m["mines_found"] <= places, "state": all(0 <= s <= 3 for s in m["state"][:robots]),
+    return {"mines_found": 0 <= m["mines_found"] <= places, "state": all(0 <= s <= 4 for s in m["state"][:robots]),
             "scanned_by": all(-1 <= robot < robots for robot in m["scanned_by"][:places]),
             "found": all(map(is_mark, m["found"][:places]))}
 
