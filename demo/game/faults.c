@@ -46,18 +46,25 @@ static int read_robot(tree *yaml, tree_node *item, const char *key, int robots, 
 
 /* ---- what is shut ---- */
 
+static int read_index(tree *yaml, tree_node *node, const char *key, long *index) {
+  tree_node *number = tree_need(yaml, node, "shut", key, "4");
+  return number != NULL ? tree_integer(yaml, number, key, index) : -1;
+}
+
+/* The table's cell there; QTR_NO_CELL off the map, and where no robot can get to. */
+static qtr_cell free_cell(const table *t, long column, long row) {
+  if (column < 0 || column >= t->claim.map_columns || row < 0 || row >= t->claim.map_rows) return QTR_NO_CELL;
+  const qtr_cell cell = table_cell(t, (int)column, (int)row);
+  return cell != QTR_NO_CELL && qtr_grid_cost(&t->policy.grid, cell) != 0 ? cell : QTR_NO_CELL;
+}
+
 static int read_position(tree *yaml, tree_node *node, const table *t, qtr_cell *cell) {
   static tree_keys keys = {"column", "row", NULL};
-  tree_node *column_node, *row_node;
   long column, row;
   if (tree_check_keys(yaml, node, "shut", keys, false) != 0) return -1;
-  if ((column_node = tree_need(yaml, node, "shut", "column", "4")) == NULL) return -1;
-  if ((row_node = tree_need(yaml, node, "shut", "row", "9")) == NULL) return -1;
-  if (tree_integer(yaml, column_node, "column", &column) != 0 || tree_integer(yaml, row_node, "row", &row) != 0)
-    return -1;
-  const bool inside = column >= 0 && column < t->claim.map_columns && row >= 0 && row < t->claim.map_rows;
-  *cell = inside ? table_cell(t, (int)column, (int)row) : QTR_NO_CELL;
-  if (*cell != QTR_NO_CELL && qtr_grid_cost(&t->policy.grid, *cell) != 0) return 0;
+  if (read_index(yaml, node, "column", &column) != 0 || read_index(yaml, node, "row", &row) != 0) return -1;
+  *cell = free_cell(t, column, row);
+  if (*cell != QTR_NO_CELL) return 0;
   return tree_fault(yaml, node, "shut: no robot can get to column %ld, row %ld as it is; name a free cell of the map",
                     column, row);
 }
@@ -126,6 +133,24 @@ static int check_company(tree *yaml, tree_node *item, int kind) {
   return 0;
 }
 
+/* What it says beside when it is and whose. */
+static int read_rest(fault_script *script, tree *yaml, tree_node *item, const table *t, const fault_name *name,
+                     fault_event *event) {
+  switch (name->kind) {
+  case FAULT_STUCK:
+  case FAULT_RESET: return add_passing(script, yaml, item, *event);
+  case FAULT_SHUT:
+    if (read_shut(yaml, item, t, &event->cell) != 0) return -1;
+    break;
+  case FAULT_SLIP:
+  case FAULT_LOSS:
+    if (read_number(yaml, item, name->key, 0.0, 0.95, 0.0, &event->share) != 0) return -1;
+    break;
+  default: break;
+  }
+  return add(script, yaml, item, *event);
+}
+
 static int read_fault(fault_script *script, tree *yaml, tree_node *item, const table *t) {
   static tree_keys keys = {"at", "lost", "stuck", "for", "slip", "robot", "loss", "shut", "reset", NULL};
   fault_event event = {.robot = -1};
@@ -135,12 +160,7 @@ static int read_fault(fault_script *script, tree *yaml, tree_node *item, const t
   event.kind = name->kind;
   if (read_number(yaml, item, "at", 0.0, LATEST, 0.0, &event.at) != 0) return -1;
   if (name->whose != NULL && read_robot(yaml, item, name->whose, t->policy.board.seekers, &event.robot) != 0) return -1;
-  if (event.kind == FAULT_STUCK || event.kind == FAULT_RESET) return add_passing(script, yaml, item, event);
-  if (event.kind == FAULT_SHUT && read_shut(yaml, item, t, &event.cell) != 0) return -1;
-  if ((event.kind == FAULT_SLIP || event.kind == FAULT_LOSS) &&
-      read_number(yaml, item, name->key, 0.0, 0.95, 0.0, &event.share) != 0)
-    return -1;
-  return add(script, yaml, item, event);
+  return read_rest(script, yaml, item, t, name, &event);
 }
 
 static int read_list(fault_script *script, tree *yaml, const table *t) {

@@ -112,6 +112,12 @@ class Showing(Pages):
                                  ([[4, 2], [2, 2], [4, 4]], [2, 4]), ([[4, 2], [2, 2], [4, 4], [2, 4]], [4, 2])):
             self.assertEqual(self.browser.run(corner, robots), expected)
 
+    def move(self, many, left, top):
+        """Whatever has a place on the map."""
+        for one in many:
+            if "x" in one:
+                one.update(x=one["x"] + left, y=one["y"] + top)
+
     def walled(self, left, top, right, bottom):
         """The sample within walls of so many cells on each side."""
         told = copy.deepcopy(SAMPLE)
@@ -119,12 +125,10 @@ class Showing(Pages):
         rows = ["#" * width] * top + ["#" * left + row + "#" * right for row in told["map"]["rows_text"]]
         rows += ["#" * width] * bottom
         told["map"].update(columns=width, rows=len(rows), rows_text=rows)
-        for at in told["places"]:
-            at.update(x=at["x"] + left, y=at["y"] + top)
+        self.move(told["places"], left, top)
         told["starts"] = [[x + left, y + top] for x, y in told["starts"]]
         told["routes"] = [[[x + left, y + top] for x, y in route] for route in told["routes"]]
-        for event in told["events"]:
-            event.update({axis: event[axis] + by for axis, by in (("x", left), ("y", top)) if axis in event})
+        self.move(told["events"], left, top)
         for track in told["tracks"]:
             track.update(x=[x + 100 * left for x in track["x"]], y=[y + 100 * top for y in track["y"]])
         return told
