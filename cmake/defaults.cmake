@@ -3,12 +3,19 @@
 set(quarter_warnings -Wall -Wextra -Wpedantic -Wundef -Wvla -Wpointer-arith -Wwrite-strings -Wformat=2
   -Wstrict-prototypes -Wold-style-definition)
 set(quarter_warnings_CORE -Wshadow -Wdouble-promotion)
-# A variable may be named as its type: `fault *fault`.
-set(quarter_warnings_TOOL $<IF:$<C_COMPILER_ID:GNU>,-Wshadow=local,-Wshadow>)
-set(quarter_warnings_TEST ${quarter_warnings_TOOL})
 # Not for tests: Unity's macros convert on their own account, and a test has no header of its own.
 set(quarter_warnings_product -Wconversion -Wsign-conversion -Wfloat-conversion -Wcast-align -Wcast-qual
-  -Wmissing-prototypes -Wredundant-decls $<$<C_COMPILER_ID:GNU>:-Wlogical-op> $<$<C_COMPILER_ID:GNU>:-Wduplicated-cond>)
+  -Wmissing-prototypes -Wredundant-decls)
+# In tools and tests a variable may be named as its type: `fault *fault`. avr-gcc is a GCC 5 here, and cannot tell.
+if(NOT CMAKE_C_COMPILER_ID STREQUAL "GNU")
+  set(quarter_warnings_TOOL -Wshadow)
+elseif(CMAKE_C_COMPILER_VERSION VERSION_LESS 7)
+  list(APPEND quarter_warnings_product -Wlogical-op)
+else()
+  set(quarter_warnings_TOOL -Wshadow=local)
+  list(APPEND quarter_warnings_product -Wlogical-op -Wduplicated-cond)
+endif()
+set(quarter_warnings_TEST ${quarter_warnings_TOOL})
 
 function(quarter_defaults target standard kind)
   set_target_properties(${target} PROPERTIES C_STANDARD ${standard} C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)

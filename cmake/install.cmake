@@ -44,7 +44,9 @@ endfunction()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/quarter)
 quarter_install_side(robot)
-quarter_install_side(learn quarter-robot)
+if(TARGET quarter_learn)
+  quarter_install_side(learn quarter-robot)
+endif()
 
 quarter_reached_headers(robot_headers quarter/robot.h)
 list(TRANSFORM robot_headers PREPEND ${PROJECT_SOURCE_DIR}/include/ OUTPUT_VARIABLE robot_paths)
@@ -52,7 +54,9 @@ install(FILES ${robot_paths} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/quarter COM
 file(GLOB learn_headers RELATIVE ${PROJECT_SOURCE_DIR}/include CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/quarter/*.h)
 list(REMOVE_ITEM learn_headers ${robot_headers})
 list(TRANSFORM learn_headers PREPEND ${PROJECT_SOURCE_DIR}/include/)
-install(FILES ${learn_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/quarter COMPONENT learn)
+if(TARGET quarter_learn)
+  install(FILES ${learn_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/quarter COMPONENT learn)
+endif()
 
 write_basic_package_version_file(quarter-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/quarter-config.cmake ${PROJECT_SOURCE_DIR}/cmake/policy.cmake

@@ -54,7 +54,7 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   found=$(command=test missing_tools | tr ' ' '\n' | sort -u | paste -sd ' ')
   expect "tools of test --firmware" "$found" "avr-libc clang g++ gcc-arm-none-eabi gcc-avr gcc-i686-linux-gnu \
 gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libspng-dev libstb-dev \
-nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user spin"
+nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user simavr spin"
   with_firmware=""
   has_browser_package() { return 0; }
   expect "tools of test" "$(command=test missing_tools | sort -u | paste -sd ' ')" \

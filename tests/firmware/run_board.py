@@ -27,10 +27,14 @@ def settings_of(toolchain):
 def look_for_tools(toolchain):
     text = settings_of(toolchain)
     compiler = re.search(r"set\(CMAKE_C_COMPILER (\S+)\)", text).group(1)
-    emulator = re.search(r"set\((?:board_emulator|CMAKE_CROSSCOMPILING_EMULATOR) (qemu-[\w-]+)", text).group(1)
+    emulator = re.search(r"set\((?:board_emulator|CMAKE_CROSSCOMPILING_EMULATOR) (qemu-[\w-]+|simavr)", text).group(1)
     for program in (compiler, emulator):
         if not shutil.which(program):
             skip(f"there is no {program}")
+    if compiler == "avr-gcc":
+        probe = [compiler, "-mmcu=atmega1284p", "-x", "c", "-E", "-o", "/dev/null", "-"]
+        if subprocess.run(probe, input="#include <avr/io.h>\n", encoding="utf-8", stderr=subprocess.DEVNULL).returncode != 0:
+            skip("avr-gcc has no avr-libc")
     if "--specs=picolibc.specs" in text:
         probe = [compiler, "--specs=picolibc.specs", "-x", "c", "-E", "-o", "/dev/null", "-"]
         if subprocess.run(probe, input="#include <stdio.h>\n", encoding="utf-8", stderr=subprocess.DEVNULL).returncode != 0:

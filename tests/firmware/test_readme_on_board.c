@@ -12,6 +12,11 @@ extern const uint32_t patrol_size;
 
 enum { NEVER = -1, MOST_STEPS = 2000 };
 
+/* On the slowest boards the power fails at one step in so many. */
+#ifndef POWER_STRIDE
+#define POWER_STRIDE 1
+#endif
+
 /* ---- what README.md leaves to the firmware ---- */
 
 static unsigned my_number;
@@ -117,7 +122,7 @@ static void test_each_robot_alone_searches_all(void) {
 static void test_the_power_fails_at_any_step(void) {
   for (unsigned robot = 0; robot < known.board.seekers; robot++) {
     const int steps = play(robot, NEVER, QTR_STAND_DOWN);
-    for (int at = 1; at < steps; at++) play(robot, at, QTR_STAND_DOWN);
+    for (int at = 1; at < steps; at += POWER_STRIDE) play(robot, at, QTR_STAND_DOWN);
   }
 }
 
