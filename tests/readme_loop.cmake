@@ -2,8 +2,8 @@
 include_guard()
 
 function(quarter_cut_readme_loop file)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/README.md)
-  file(READ ${PROJECT_SOURCE_DIR}/README.md loop)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../README.md)
+  file(READ ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../README.md loop)
   string(FIND "${loop}" "```c\n" begin)
   string(SUBSTRING "${loop}" ${begin} -1 loop)
   string(SUBSTRING "${loop}" 5 -1 loop)

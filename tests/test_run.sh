@@ -43,9 +43,9 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   expect "packages of test" "$(packages test)" "$found"
   expect "tools of demo" "$(command=demo missing_tools | paste -sd ' ')" "libspng-dev libstb-dev"
   has_picolibc() { return 1; }
-  board_kind=arm
+  board_kinds=arm
   expect "packages of firmware" "$(packages firmware)" "cmake gcc gcc-arm-none-eabi libc6-dev libyaml-dev ninja-build picolibc-arm-none-eabi qemu-system-arm"
-  board_kind=""
+  board_kinds=""
   has_browser_package() { return 1; }
   expect "tools of test where there is no browser to be had" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
     "iproute2 libspng-dev libstb-dev nftables spin"
