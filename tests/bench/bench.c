@@ -1,5 +1,6 @@
 /* The benchmarks: what the project promises, measured on the machine at hand and printed beside the target. Nothing here
- * is a test; a slow machine fails nothing. `--clone` also times a fresh clone up to its certified demo policy. */
+ * is a test; a slow machine fails nothing. `--clone` also times a fresh clone up to its certified demo policy; `--takeover` measures
+ * what robots do for one that is lost, and nothing else. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,9 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "bench.h"
 #include "host/base/clock.h"
 #include "host/input/read.h"
-#include "quarter/learner.h"
 #include "quarter/random.h"
 
 #define MAPS_MOST 100
@@ -50,6 +51,13 @@ static run learn(const qtr_mission *learnt, double limit) {
   return r;
 }
 
+qtr_learner *bench_learn(const qtr_mission *learnt, unsigned steps) {
+  qtr_game_init(&game, learnt, &travel, NULL);
+  begin_learner();
+  while (steps > 0 && qtr_learner_step(learner) == QTR_LEARNING) steps--;
+  return learner;
+}
+
 static int compare(const void *a, const void *b) {
   const double x = *(const double *)a;
   const double y = *(const double *)b;
@@ -75,9 +83,8 @@ static bool is_taken(qtr_cell cell) {
   return mission.cost[cell] == 0 || cell == 0;
 }
 
-/* One map: a fifth of the cells blocked, all seekers in a corner, one place in three of three times the weight. Maps with
- * a place that cannot be reached are drawn again. */
-static void make_map(unsigned seed, int side, int places, int seekers, int objective) {
+/* Maps with a place that cannot be reached are drawn again. */
+qtr_mission *bench_map(unsigned seed, int side, int places, int seekers, int objective) {
   state = seed * 0x9E3779B97F4A7C15u;
   do {
     qtr_mission_default(&mission);
@@ -93,6 +100,7 @@ static void make_map(unsigned seed, int side, int places, int seekers, int objec
       mission.weight[mission.places++] = draw(3) == 0 ? 3.0 : 1.0;
     }
   } while (qtr_game_init(&game, &mission, &travel, NULL) != QTR_OK);
+  return &mission;
 }
 
 static void bench_random(int side, int places, int seekers, int maps, double limit, const char *target) {
@@ -101,7 +109,7 @@ static void bench_random(int side, int places, int seekers, int maps, double lim
     int certified = 0;
     unsigned entry_bytes = 0;
     for (int map = 0; map < maps; map++) {
-      make_map((unsigned)map + 1, side, places, seekers, objective);
+      bench_map((unsigned)map + 1, side, places, seekers, objective);
       const run r = learn(&mission, limit);
       seconds[map] = r.seconds;
       episodes[map] = r.episodes;
@@ -162,7 +170,7 @@ static void bench_reference(void) {
 /* ---- sizes ---- */
 
 static void bench_entry(int side, int places, int seekers, const char *target) {
-  make_map(1, side, places, seekers, QTR_DISCOUNTED);
+  bench_map(1, side, places, seekers, QTR_DISCOUNTED);
   begin_learner();
   printf("a Q entry of %2d places, %d seekers on %dx%d cells: %u bytes %s\n", places, seekers, side, side,
          qtr_learner_entry_bytes(learner), target);
@@ -171,7 +179,7 @@ static void bench_entry(int side, int places, int seekers, const char *target) {
 /* ---- large maps: in a process of its own, whose memory is then its own ---- */
 
 static void travel_large(void) {
-  make_map(1, 4, 1, 1, QTR_DISCOUNTED);
+  bench_map(1, 4, 1, 1, QTR_DISCOUNTED);
   const int side = 1024;
   state = 7;
   qtr_mission_default(&mission);
@@ -211,7 +219,22 @@ static void bench_clone(void) {
     printf("clone to certified policy: failed\n");
 }
 
+/* One of these words, or none: 0, or 2 with a line on what there is. */
+static int read_words(int argc, char **argv, bool *clone, bool *takeover, bool *as_json) {
+  for (int i = 1; i < argc; i++) {
+    *clone = *clone || strcmp(argv[i], "--clone") == 0;
+    *takeover = *takeover || strcmp(argv[i], "--takeover") == 0;
+    *as_json = *as_json || strcmp(argv[i], "--json") == 0;
+  }
+  if (argc - 1 == *clone + *takeover + *as_json && (!*as_json || *takeover)) return 0;
+  fprintf(stderr, "bench: give --clone, or --takeover, with --json or without, or nothing\n");
+  return 2;
+}
+
 int main(int argc, char **argv) {
+  bool clone = false, takeover = false, as_json = false;
+  if (read_words(argc, argv, &clone, &takeover, &as_json) != 0) return 2;
+  if (takeover) return bench_takeover(as_json);
   bench_large();
   bench_reference();
   bench_random(30, 12, 2, 50, 60.0, "  (target: 0.05 s)");
@@ -223,6 +246,6 @@ int main(int argc, char **argv) {
   bench_entry(30, 20, 2, "(target, host: at most 24)");
   bench_entry(40, 60, 8, "(target, host: at most 24)");
   bench_entry(32, 16, 4, "(target, mcu: at most 16)");
-  if (argc > 1 && strcmp(argv[1], "--clone") == 0) bench_clone();
+  if (clone) bench_clone();
   return 0;
 }
