@@ -1,4 +1,5 @@
-"""bundle.py SOURCE FOLDER: the robot side as two files, quarter_robot.h and quarter_robot.c, to be copied into a firmware.
+"""bundle.py SOURCE FOLDER: the robot side as two files, quarter_robot.h and quarter_robot.c, to be copied into a firmware; with a
+library.properties beside them, by which the folder is a library for Arduino.
 
 The header holds the public headers of the robot side, the source all of its C files, each include in the place where it is
 first asked for. A name that two files keep for themselves (static functions, macros and constants of no header) would collide
@@ -91,6 +92,17 @@ def title(source, what):
     return f"/* Quarter {version_of(source)}, {what}, made by its build from many files: change those.\n *\n * {licence}\n */\n"
 
 
+def arduino_properties(source):
+    """A library of the flat layout. No project's page is named: Arduino wants the key, and takes it empty."""
+    sentence = "Divides a search area among robots."
+    paragraph = "The robot side of Quarter: executes a policy table that the host command has learnt, by termination signals alone."
+    return (
+        f"name=Quarter\nversion={version_of(source)}\nauthor=Quarter contributors\nmaintainer=Quarter contributors\n"
+        f"sentence={sentence}\nparagraph={paragraph}\ncategory=Other\nurl=\narchitectures=*\n"
+        "includes=quarter_robot.h\nlicense=MIT\n"
+    )
+
+
 def system_lines(headers):
     return "".join(f"#include {header}\n" for header in headers)
 
@@ -109,6 +121,7 @@ def write_bundle(source, folder):
     (folder / "quarter_robot.h").write_text(tidied(text), encoding="utf-8")
     text = title(source, "the robot side") + '#include "quarter_robot.h"\n\n' + system_lines(system) + "\n" + body
     (folder / "quarter_robot.c").write_text(tidied(text), encoding="utf-8")
+    (folder / "library.properties").write_text(arduino_properties(source), encoding="utf-8")
 
 
 def main():

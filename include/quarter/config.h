@@ -1,7 +1,7 @@
 /* Array sizes of the core, the only place where they are stated.
  *
- * Every array in Quarter has a fixed size from this file. Choose a profile (QTR_PROFILE_MCU, or the host profile by
- * default), override single sizes with -D, or name a header of your own with -DQTR_CONFIG_HEADER='"my_quarter.h"'.
+ * Every array in Quarter has a fixed size from this file. Choose a profile (QTR_PROFILE_MCU, the default under Arduino,
+ * ESP-IDF, PlatformIO and Zephyr; else the host profile), override single sizes with -D, or name a header of your own with -DQTR_CONFIG_HEADER='"my_quarter.h"'.
  * All code that is linked together must be built under the same sizes. Whoever sets up a structure whose size depends on
  * them (the functions that end in _built and _sized, behind macros of the plain name) hands over the caller's
  * QTR_CONFIG_ID; a difference is QTR_ERR_CONFIG with nothing written, never a fault later on.
@@ -14,6 +14,12 @@
 
 #ifdef QTR_CONFIG_HEADER
 #include QTR_CONFIG_HEADER
+#endif
+
+/* What is built by a firmware's framework is for a robot: application and library alike. */
+#if !defined(QTR_PROFILE_MCU) &&                                                                                       \
+    (defined(ARDUINO) || defined(ESP_PLATFORM) || defined(PLATFORMIO) || defined(__ZEPHYR__))
+#define QTR_PROFILE_MCU
 #endif
 
 /* Around what a public header declares: C++ links it as C. */
