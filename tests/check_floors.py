@@ -38,6 +38,7 @@ HOMES = {
     "box2d/": "demo/world/world.c",
     "lcm/": "demo/bus/bus.c",
     "civetweb.h": "demo/live/live.c",
+    "sodium.h": "demo/bus/seal.c",
     "yaml.h": "lib/host/input/tree.c",
     "spng.h": "lib/host/input/png.c",
     "stb_image.h": "lib/host/input/bmp.c",

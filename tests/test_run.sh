@@ -41,24 +41,26 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   expect "packages of games" "$(packages games)" "$found"
   expect "packages of losses" "$(packages losses)" "$found"
   expect "packages of test" "$(packages test)" "$found"
-  expect "tools of demo" "$(command=demo missing_tools | paste -sd ' ')" "libspng-dev libstb-dev"
+  expect "tools of demo" "$(command=demo && parts_of demo && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev libsodium-dev"
+  expect "tools of quarter" "$(command=quarter && parts_of quarter && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev"
+  parts_of test
   has_picolibc() { return 1; }
   board_kinds=arm
   expect "packages of firmware" "$(packages firmware)" "cmake gcc gcc-arm-none-eabi libc6-dev libyaml-dev ninja-build picolibc-arm-none-eabi qemu-system-arm"
   board_kinds=""
   has_browser_package() { return 1; }
   expect "tools of test where there is no browser to be had" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "iproute2 libspng-dev libstb-dev nftables spin"
+    "iproute2 libsodium-dev libspng-dev libstb-dev nftables spin"
   apt-cache() { return 0; }
   with_firmware=yes
   found=$(command=test missing_tools | tr ' ' '\n' | sort -u | paste -sd ' ')
   expect "tools of test --firmware" "$found" "avr-libc clang g++ gcc-arm-none-eabi gcc-avr gcc-i686-linux-gnu \
-gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libspng-dev libstb-dev \
-nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user simavr spin"
+gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libsodium-dev libspng-dev \
+libstb-dev nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user simavr spin"
   with_firmware=""
   has_browser_package() { return 0; }
   expect "tools of test" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "chromium chromium-driver iproute2 libspng-dev libstb-dev nftables spin"
+    "chromium chromium-driver iproute2 libsodium-dev libspng-dev libstb-dev nftables spin"
 }
 
 test_without_root_one_line_to_paste_names_all() {

@@ -19,6 +19,7 @@
 
 _Static_assert(DEMO_MOST_ROBOTS == QUARTER_STATUS_MOST_ROBOTS, "as lcmtypes/status.lcm has it");
 _Static_assert(DEMO_MOST_PLACES == QUARTER_STATUS_MOST_PLACES, "as lcmtypes/status.lcm has it");
+_Static_assert(SEAL_TAG == QUARTER_TERMINATE_TAG, "as lcmtypes/terminate.lcm has it");
 _Static_assert(DEMO_RAYS == QUARTER_SCAN_RAYS, "as lcmtypes/scan.lcm has it");
 
 #define LATEST (INT64_MAX / 2) /* microseconds: moments up to here can be subtracted from one another */
@@ -47,6 +48,8 @@ struct bus {
   int64_t now; /* utime of what was sent last */
   double loss;
   rng dice;
+  bool sealed;
+  seal seal;
 };
 
 /* ---- opening ---- */
@@ -80,6 +83,11 @@ void bus_close(bus *b) {
     free(at);
   }
   free(b);
+}
+
+void bus_seal(bus *b, const seal *s) {
+  b->sealed = true;
+  b->seal = *s;
 }
 
 void bus_lose(bus *b, double share, uint64_t seed) {
@@ -191,8 +199,22 @@ void bus_send_command(bus *b, const message_command *m) {
   note_sent(b, KIND_COMMAND, m->utime);
 }
 
+/* Its tag is a message's end. */
+static void put_tag(const bus *b, quarter_terminate *wire) {
+  uint8_t bytes[sizeof *wire + 8], tag[SEAL_TAG];
+  const int size = quarter_terminate_encode(bytes, 0, sizeof bytes, wire);
+  seal_tag(&b->seal, bytes, (size_t)size - SEAL_TAG, tag);
+  memcpy(wire->tag, tag, sizeof wire->tag);
+}
+
 void bus_send_terminate(bus *b, const message_terminate *m) {
-  const quarter_terminate wire = {m->utime, m->sender, m->signal, m->territory, (int32_t)m->identity, (int32_t)m->run};
+  quarter_terminate wire = {.utime = m->utime,
+                            .sender = m->sender,
+                            .signal = m->signal,
+                            .territory = m->territory,
+                            .identity = (int32_t)m->identity,
+                            .run = (int32_t)m->run};
+  if (b->sealed) put_tag(b, &wire);
   quarter_terminate_publish(b->lcm, CHANNEL_TERMINATE, &wire);
   note_sent(b, KIND_TERMINATE, m->utime);
 }
@@ -259,7 +281,12 @@ static bool take_command(const listener *l, const lcm_recv_buf_t *packet) {
 
 static bool take_terminate(const listener *l, const lcm_recv_buf_t *packet) {
   quarter_terminate wire;
-  if (quarter_terminate_decode(packet->data, 0, (int)packet->data_size, &wire) < 0) return false;
+  const int size = quarter_terminate_decode(packet->data, 0, (int)packet->data_size, &wire);
+  if (size < 0) return false;
+  if (l->b->sealed && !seal_holds(&l->b->seal, packet->data, (size_t)size - SEAL_TAG, (const uint8_t *)wire.tag)) {
+    l->b->counts.unsealed++;
+    return false;
+  }
   if (!sound_robot(l, wire.sender) || !sound_robot(l, wire.territory)) return false;
   if (wire.signal != QUARTER_TERMINATE_FOUND && wire.signal != QUARTER_TERMINATE_TERRITORY_DONE) return false;
   const message_terminate m = {wire.utime,        wire.sender, wire.signal, wire.territory, (uint32_t)wire.identity,

@@ -10,6 +10,7 @@
 
 #include "host/base/fault.h"
 #include "messages.h"
+#include "seal.h"
 
 #define BUS_IN_PROCESS "memq://"
 
@@ -18,13 +19,17 @@ typedef struct bus bus;
 /* What became of the messages so far. */
 typedef struct {
   uint64_t sent[KINDS];
-  uint64_t lost;    /* of termination signals, by bus_lose() */
-  uint64_t ignored; /* did not decode, or were out of range */
+  uint64_t lost;     /* of termination signals, by bus_lose() */
+  uint64_t ignored;  /* did not decode, were out of range, or are counted below */
+  uint64_t unsealed; /* termination signals without this bus's seal */
 } bus_counts;
 
 /* Open the bus at an LCM URL; NULL: LCM_DEFAULT_URL, or LCM's own default with ttl=0. 0, or -1 with *why set. */
 int bus_open(bus **b, const char *url, fault *why);
 void bus_close(bus *b);
+
+/* From now on seal all termination signals that are sent, and hear none that are not so sealed. */
+void bus_seal(bus *b, const seal *s);
 
 /* Write all that passes to an LCM log, at the world's times, until bus_end_log(). `path` must last until then. 0, or -1 with
  * *why set. */

@@ -118,6 +118,7 @@ static pid_t start_world(const crew *c, const settings *s) {
   add_pair(&w, "--faults", s->faults);
   add_pair(&w, "--lcm-url", s->lcm_url);
   add_pair(&w, "--run-number", run);
+  add_pair(&w, "--key", s->key);
   add_pair(&w, "--mine", s->mine != -1 ? mine : NULL);
   add_pair(&w, "--robots", s->robots > 0 ? robots : NULL);
   add_mark(&w, json, s->json);
@@ -143,6 +144,7 @@ static pid_t start_robot(const crew *c, int number) {
   add_pair(&w, "--robot", self);
   add_pair(&w, "--lcm-url", s->lcm_url);
   add_pair(&w, "--run-number", run);
+  add_pair(&w, "--key", s->key);
   add_pair(&w, "--save", c->b != NULL ? save_of(save, c, number) : NULL);
   add_mark(&w, "--clear-all", s->clear_all);
   return start(c, "quarter-robot", w.word);

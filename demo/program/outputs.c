@@ -9,7 +9,7 @@
 #include "host/base/file.h"
 #include "host/base/outfile.h"
 
-#define FILES 7
+#define FILES 8
 #define OUTPUTS 4 /* of them, the first */
 
 static bool exists(const char *path, struct stat *about) {
@@ -40,7 +40,7 @@ static int try_log(const char *path, fault *why) {
 }
 
 static void list(const char *file[FILES], const settings *s) {
-  const char *const all[FILES] = {s->replay, s->save, s->json_path, s->log, s->mission, s->table, s->faults};
+  const char *const all[FILES] = {s->replay, s->save, s->json_path, s->log, s->mission, s->table, s->faults, s->key};
   memcpy(file, all, sizeof all);
 }
 

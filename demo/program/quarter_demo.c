@@ -16,6 +16,7 @@
 #include "program.h"
 #include "record.h"
 #include "runs.h"
+#include "seal.h"
 #include "settings.h"
 
 static volatile int interrupted;
@@ -198,7 +199,17 @@ static int run_plan(const settings *s, fault *why) {
   return play_as_asked(s, &faults, why);
 }
 
+/* Before the learning; the programs that need the key read it themselves. */
+static int check_key(const settings *s, fault *why) {
+  seal unused;
+  if (s->key == NULL) return 0;
+  if (!s->processes && !s->follow)
+    return fault_set(why, "--key goes with --processes and --follow: in a game of one process nobody else is heard");
+  return seal_read(&unused, s->key, why);
+}
+
 static int run(const settings *s, fault *why) {
+  if (check_key(s, why) != 0) return EXIT_BAD_INPUT;
   int status = prepare(&p, s, why);
   if (status != 0) return status;
   catch_interrupts();

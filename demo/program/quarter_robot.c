@@ -20,7 +20,7 @@
 #define TABLE_MOST (64u << 20)
 
 typedef struct {
-  const char *table, *url, *save;
+  const char *table, *url, *save, *key;
   uint8_t self; /* NOBODY: not said */
   uint32_t run;
   bool clear_all, help, version;
@@ -55,6 +55,11 @@ static option_table records = {
      .help = "keep there what must outlast a reset, and go on from it if there is one",
      .kind = OPTION_TEXT,
      OPTION_FIELD(words, save)},
+    {.name = "key",
+     .argument = "FILE",
+     .help = "seal termination signals by this key, and believe no others: docs/security.md",
+     .kind = OPTION_TEXT,
+     OPTION_FIELD(words, key)},
     {.name = "clear-all", .help = "a find stops nobody", .kind = OPTION_MARK, OPTION_FIELD(words, clear_all)},
     {.name = "help", .letter = 'h', .help = "tell what there is", .kind = OPTION_MARK, OPTION_FIELD(words, help)},
     {.name = "version", .help = "print it", .kind = OPTION_MARK, OPTION_FIELD(words, version)},
@@ -66,9 +71,9 @@ static const char intro[] =
     "It hears its own pose and scan and TERMINATE, and says its own command and TERMINATE. Start quarter-world first.\n"
     "\n";
 
-static const option_line lines[] = {{"robot", NULL, 22}, {"lcm-url", NULL, 22},   {"run-number", NULL, 22},
-                                    {"save", NULL, 22},  {"clear-all", NULL, 22}, {"version", NULL, 22},
-                                    {NULL, NULL, 0}};
+static const option_line lines[] = {{"robot", NULL, 22},   {"lcm-url", NULL, 22}, {"run-number", NULL, 22},
+                                    {"save", NULL, 22},    {"key", NULL, 22},     {"clear-all", NULL, 22},
+                                    {"version", NULL, 22}, {NULL, NULL, 0}};
 
 static const char outro[] =
     "\n"
@@ -206,28 +211,53 @@ static int open_table(const void *bytes, uint32_t size) {
   return status == QTR_OK ? qtr_policy_check(&policy) : status;
 }
 
+/* The bus, sealed if there is a key. 0, or the exit status, with one line said. */
+static int open_bus(bus **b, const words *w) {
+  seal team;
+  fault why;
+  if (w->key != NULL && seal_read(&team, w->key, &why) != 0) return refuse(&why);
+  if (bus_open(b, w->url, &why) != 0) return complain("the bus", why.text);
+  if (w->key != NULL) bus_seal(*b, &team);
+  return 0;
+}
+
+/* Who was not believed: a team of mixed tables or keys finds out by this. */
+static void tell_strangers(const bus *b, const words *w) {
+  if (qtr_seeker_foreign(&seeker) > 0)
+    fprintf(stderr, "quarter-robot: robot %d: %s of another table, other starts or another run ignored\n", w->self,
+            counted(qtr_seeker_foreign(&seeker), "signal").text);
+  if (bus_count(b).unsealed > 0)
+    fprintf(stderr, "quarter-robot: robot %d: %s without this key's seal ignored\n", w->self,
+            counted(bus_count(b).unsealed, "signal").text);
+}
+
+/* The table and the seeker. 0, or the exit status, with one line said. */
+static int prepare(const words *w, void **bytes) {
+  uint32_t size = 0;
+  const char *unread;
+  fault why;
+  *bytes = read_whole(w->table, &size, &unread);
+  if (*bytes == NULL) return complain(w->table, unread);
+  const int status = open_table(*bytes, size);
+  if (status != QTR_OK) return complain(w->table, qtr_strerror(status));
+  if (table_check(&policy, w->table, &why) != 0) return refuse(&why);
+  return begin(w) == QTR_OK ? 0 : complain("--robot", "the table has no such robot");
+}
+
 int main(int argc, char **argv) {
   words w;
-  uint32_t size = 0;
+  void *bytes;
   bus *b;
   fault why;
   if (parse(&w, argc, argv, &why) != 0) return refuse(&why);
   if (w.help || w.version) return tell(&w);
-  const char *unread;
-  void *bytes = read_whole(w.table, &size, &unread);
-  if (bytes == NULL) return complain(w.table, unread);
-  int status = open_table(bytes, size);
-  if (status != QTR_OK) return complain(w.table, qtr_strerror(status));
-  if (table_check(&policy, w.table, &why) != 0) return refuse(&why);
-  status = begin(&w);
-  if (status != QTR_OK) return complain("--robot", "the table has no such robot");
-  if (bus_open(&b, w.url, &why) != 0) return complain("the bus", why.text);
+  int status = prepare(&w, &bytes);
+  if (status == 0) status = open_bus(&b, &w);
+  if (status != 0) return status;
   signal(SIGINT, on_end);
   signal(SIGTERM, on_end);
   status = run(b, &w);
-  if (qtr_seeker_foreign(&seeker) > 0)
-    fprintf(stderr, "quarter-robot: robot %d: %s of another table, other starts or another run ignored\n", w.self,
-            counted(qtr_seeker_foreign(&seeker), "signal").text);
+  tell_strangers(b, &w);
   bus_close(b);
   free(bytes);
   return status;

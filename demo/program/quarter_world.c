@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "host/base/clock.h"
+#include "host/base/count.h"
 #include "host/base/stop.h"
 #include "outcome.h"
 #include "patience.h"
@@ -23,7 +24,7 @@ static const char help[] =
     "robot. The game begins when all robots answer, and runs in real time.\n"
     "\n"
     "Options, as of quarter-demo: -o, --log, --seed, --mine, --clear-all, --faults, --robots, --table, --speed, "
-    "--lcm-url, --run-number,\n"
+    "--lcm-url, --run-number, --key,\n"
     "--json, --quiet, --version.\n"
     "\n"
     "Exit status: 0 the game is over; 2 bad input, no robots, another world on the bus, or an output that cannot be "
@@ -190,6 +191,21 @@ static int check_mine(const settings *s, fault *why) {
                           : fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
 }
 
+/* Open the bus, sealed if there is a key. 0, or -1 with *why set. */
+static int open_bus(bus **b, const settings *s, fault *why) {
+  seal team;
+  if (s->key != NULL && seal_read(&team, s->key, why) != 0) return -1;
+  if (bus_open(b, s->lcm_url, why) != 0) return -1;
+  if (s->key != NULL) bus_seal(*b, &team);
+  return 0;
+}
+
+static void tell_unsealed(const bus *b) {
+  if (b != NULL && bus_count(b).unsealed > 0)
+    fprintf(stderr, "quarter-world: %s without this key's seal ignored\n",
+            counted(bus_count(b).unsealed, "termination signal").text);
+}
+
 static int run(const settings *s, fault *why) {
   static fault_script faults;
   bus *b = NULL;
@@ -199,8 +215,9 @@ static int run(const settings *s, fault *why) {
   if (unprepared != 0) return unprepared;
   catch_interrupts();
   if (check_mine(s, why) == 0 && (s->faults == NULL || faults_read(&faults, s->faults, &p.t, why) == 0) &&
-      bus_open(&b, s->lcm_url, why) == 0)
+      open_bus(&b, s, why) == 0)
     status = serve(s, b, &faults, why);
+  tell_unsealed(b);
   bus_close(b);
   plan_free(&p);
   return status;

@@ -67,6 +67,11 @@ static option_table records = {
      .help = "what goes wrong, when: see demo/missions/minefield/faults.yaml",
      TEXT(faults)},
     {.name = "lcm-url", .argument = "URL", .help = "default: LCM_DEFAULT_URL, or udpm on this machine", TEXT(lcm_url)},
+    {.name = "key",
+     .argument = "FILE",
+     .help =
+         "seal termination signals by this key, and believe no others: docs/security.md; of --processes and --follow",
+     TEXT(key)},
     {.name = "json", .argument = "[=FILE]", .help = "print the outcome as JSON, or write it to FILE", OWN(take_json)},
     {.name = "quiet", .letter = 'q', .help = "say nothing but JSON", MARK(quiet)},
     {.name = "help", .letter = 'h', .help = "tell what there is", MARK(help)},
@@ -131,8 +136,8 @@ static const option_line lines[] = {
     OPTION_LINE("clear-all"),  OPTION_LINE("faults"),      OPTION_LINE("robots"),   OPTION_LINE("table"),
     OPTION_LINE("save-table"), OPTION_LINE("learn-limit"), OPTION_LINE("speed"),    OPTION_LINE("live [port]"),
     OPTION_LINE("follow"),     OPTION_LINE("processes"),   OPTION_LINE("lcm-url"),  OPTION_LINE("run-number"),
-    OPTION_LINE("runs"),       OPTION_LINE("lose-one"),    OPTION_LINE("strategy"), OPTION_LINE("json"),
-    OPTION_LINE("quiet"),      OPTION_LINE("version"),     {NULL, NULL, 0},
+    OPTION_LINE("key"),        OPTION_LINE("runs"),        OPTION_LINE("lose-one"), OPTION_LINE("strategy"),
+    OPTION_LINE("json"),       OPTION_LINE("quiet"),       OPTION_LINE("version"),  {NULL, NULL, 0},
 };
 
 static const char outro[] = "\n"

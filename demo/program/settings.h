@@ -17,6 +17,7 @@ typedef struct {
   const char *replay;    /* HTML; NULL: none */
   const char *log;       /* LCM log; NULL: none */
   const char *faults;    /* script; NULL: none */
+  const char *key;       /* of the seal on signals; NULL: none */
   const char *lcm_url;   /* NULL: as LCM_DEFAULT_URL says */
   const char *json_path; /* NULL: standard output */
   bool json, quiet, help, version;

@@ -1,5 +1,6 @@
 """Logs to MCAP."""
 
+import hashlib
 import math
 import re
 import subprocess
@@ -83,6 +84,31 @@ class TestMcap(Bridge):
             self.assertRegex(done.stdout, rf"(?m)^{channel} +{messages} +{sound} +{messages - sound}$")
         for name in {"robot", *(name for fields in bad.values() for name in fields)}:
             self.assertIn(f"its {name} cannot be", done.stderr)
+
+    def sealed(self, key, **fields):
+        data = make("terminate", **fields)
+        inner = hashlib.blake2b(key, digest_size=32).digest()
+        return data[:-16] + hashlib.blake2b(data[:-16], key=inner, digest_size=16).digest()
+
+    def test_with_a_key_signals_without_its_seal_are_left_out(self):
+        team, other = b"k" * 32, b"o" * 40
+        key = self.folder / "team.key"
+        key.write_bytes(team)
+        key.chmod(0o600)
+        said = {"utime": STEP, "sender": 1, "signal": 1}
+        log = self.log([("QUARTER_R0_POSE", make("pose", **pose_at(STEP, 0))), ("QUARTER_TERMINATE", make("terminate", **said)),
+                        ("QUARTER_TERMINATE", self.sealed(other, **said)), ("QUARTER_TERMINATE", self.sealed(team, **said))])
+        done = self.convert(log, "--mcap", self.mcap, "--key", key)
+        self.assertRegex(done.stdout, r"(?m)^QUARTER_TERMINATE +3 +1 +2$")
+        self.assertIn("QUARTER_TERMINATE: 2 skipped: without the key's seal", done.stderr)
+        done = self.convert(log, "--mcap", self.mcap)
+        self.assertRegex(done.stdout, r"(?m)^QUARTER_TERMINATE +3 +3 +0$")
+        key.chmod(0o644)
+        self.refuse("chmod 600", log, "--mcap", self.mcap, "--key", key)
+        key.write_bytes(b"short")
+        key.chmod(0o600)
+        self.refuse("32 to 4096 bytes", log, "--mcap", self.mcap, "--key", key)
+        self.refuse("no.key: cannot be read", log, "--mcap", self.mcap, "--key", self.folder / "no.key")
 
     def test_a_report_that_cannot_be_printed_is_said(self):
         with open("/dev/full", "wb") as full:

@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 from bus import DEFAULT_URL, Bus
-from decoding import Decoder, Unfit
+from decoding import Decoder, Unfit, read_key
 from events import BEHIND
 from faults import Fault
 from logfile import Log
@@ -51,6 +51,7 @@ def parse(words):
     parser.add_argument("--quarter", metavar="PATH", default="quarter", help="the host tool; default: quarter on PATH")
     parser.add_argument("--rerun", metavar="OUT.rrd", help="write a Rerun recording")
     parser.add_argument("--mcap", metavar="OUT.mcap", help="write an MCAP file")
+    parser.add_argument("--key", metavar="FILE", help="leave out termination signals without this key's seal")
     parser.add_argument("--lcm-gen", metavar="PATH", help="default: the one of the Python package lcm")
     asked = parser.parse_args(words)
     check(parser, asked)
@@ -71,7 +72,7 @@ def check_files(parser, asked):
     outputs = [path for path in (asked.rerun, asked.mcap) if path is not None]
     if not outputs:
         parser.error("nothing to write: name --rerun OUT.rrd, --mcap OUT.mcap or both")
-    named = [os.path.realpath(path) for path in [asked.log, asked.table, *outputs] if path is not None]
+    named = [os.path.realpath(path) for path in [asked.log, asked.table, asked.key, *outputs] if path is not None]
     if len(set(named)) < len(named):
         parser.error("two of the files named are the same")
 
@@ -226,7 +227,7 @@ def main(words):
         asked = parse(words)
         source = Bus(asked.lcm_url, asked.seconds) if asked.live else Log(asked.log)
         mission = inspect(asked.quarter, asked.table) if asked.table is not None else None
-        write(asked, source, Decoder(asked.lcm_gen), mission)
+        write(asked, source, Decoder(asked.lcm_gen, read_key(asked.key) if asked.key is not None else None), mission)
     except Fault as fault:
         print(f"bridge: {fault}", file=sys.stderr)
         return 2

@@ -1,7 +1,10 @@
 """Messages from bytes, by decoders that lcm-gen makes from lcmtypes/ at every start."""
 
+import hashlib
+import hmac
 import importlib
 import importlib.util
+import os
 import re
 import shutil
 import struct
@@ -17,6 +20,8 @@ from soundness import unsound_field
 LCMTYPES = Path(__file__).resolve().parent.parent.parent / "lcmtypes"
 CHANNEL = re.compile(r"QUARTER_(?:R(\d{1,4})_(POSE|SCAN|COMMAND)|(TERMINATE|STATUS))")  # as demo/bus/channels.h
 KINDS = ("pose", "scan", "command", "terminate", "status")
+KEY, KEY_FILE_MOST = 32, 4096  # bytes: as demo/bus/seal.h
+TAG_AT, TAG = 36, 16  # in a terminate message, of which it is the end
 LATEST = (2**63 - 1) // 1000  # microseconds, of which the nanoseconds still fit
 
 
@@ -78,9 +83,33 @@ def generate(lcm_gen):
             sys.path.remove(folder)
 
 
+def read_key(path):
+    """The key of a team's seal, as demo/bus/seal.c reads it."""
+    try:
+        with open(path, "rb") as file:
+            mode, text = os.fstat(file.fileno()).st_mode, file.read(KEY_FILE_MOST + 1)
+    except OSError as error:
+        raise Fault(f"{path}: cannot be read ({error.strerror}); name the key that the robots have") from None
+    if mode & 0o077:
+        raise Fault(f"{path}: others than its owner can get at this key; make a new one that they cannot: chmod 600 {path}")
+    if not KEY <= len(text) <= KEY_FILE_MOST:
+        raise Fault(f"{path}: a key has {KEY} to {KEY_FILE_MOST} bytes; make one: head -c {KEY} /dev/urandom >{path}")
+    return hashlib.blake2b(text, digest_size=KEY).digest()
+
+
+def is_sealed(data, key):
+    own = hashlib.blake2b(data[:TAG_AT], key=key, digest_size=TAG).digest()
+    return hmac.compare_digest(own, data[TAG_AT : TAG_AT + TAG])
+
+
 class Decoder:
-    def __init__(self, lcm_gen=None):
+    def __init__(self, lcm_gen=None, key=None):
         self.types = generate(lcm_gen or find_lcm_gen())
+        self.key = key
+
+    def check_seal(self, kind, data):
+        if kind == "terminate" and self.key is not None and not is_sealed(data, self.key):
+            raise Unfit("without the key's seal")
 
     def decode(self, channel, data):
         """A Message; Unfit if it is none."""
@@ -91,6 +120,7 @@ class Decoder:
             decoded = self.types[kind].decode(data)
         except (ValueError, struct.error):
             raise Unfit(f"does not decode as {kind}") from None
+        self.check_seal(kind, data)
         fields = {name: getattr(decoded, name) for name in decoded.__slots__}
         if not 0 <= decoded.utime <= LATEST:
             raise Unfit("its time cannot be")
