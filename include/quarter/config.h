@@ -1,7 +1,8 @@
 /* Array sizes of the core, the only place where they are stated.
  *
  * Every array in Quarter has a fixed size from this file. Choose a profile (QTR_PROFILE_MCU, the default under Arduino,
- * ESP-IDF, PlatformIO and Zephyr; else the host profile), override single sizes with -D, or name a header of your own with -DQTR_CONFIG_HEADER='"my_quarter.h"'.
+ * ESP-IDF, PlatformIO and Zephyr; QTR_PROFILE_TINY; else the host profile), override single sizes with -D, or name a header of
+ * your own with -DQTR_CONFIG_HEADER='"my_quarter.h"'.
  * All code that is linked together must be built under the same sizes. Whoever sets up a structure whose size depends on
  * them (the functions that end in _built and _sized, behind macros of the plain name) hands over the caller's
  * QTR_CONFIG_ID; a difference is QTR_ERR_CONFIG with nothing written, never a fault later on.
@@ -16,9 +17,10 @@
 #include QTR_CONFIG_HEADER
 #endif
 
-/* What is built by a firmware's framework is for a robot: application and library alike. */
-#if !defined(QTR_PROFILE_MCU) &&                                                                                       \
-    (defined(ARDUINO) || defined(ESP_PLATFORM) || defined(PLATFORMIO) || defined(__ZEPHYR__))
+/* What is built by a firmware's framework is for a robot: application and library alike. Tiny is for one that learns by itself, 100
+ * cells, 8 places and 2 seekers in 16 kB (docs/DESIGN.md), without spots or regions, and like any other robot's in the rest. */
+#if !defined(QTR_PROFILE_MCU) && (defined(ARDUINO) || defined(ESP_PLATFORM) || defined(PLATFORMIO) ||                  \
+                                  defined(__ZEPHYR__) || defined(QTR_PROFILE_TINY))
 #define QTR_PROFILE_MCU
 #endif
 
@@ -34,7 +36,9 @@
 /* Cells of a grid, columns x rows, blocked ones included. A distance field costs 6 bytes a cell up to 65,535 cells,
  * 8 beyond, on the robot as on the host. */
 #ifndef QTR_MAX_CELLS
-#ifdef QTR_PROFILE_MCU
+#if defined(QTR_PROFILE_TINY)
+#define QTR_MAX_CELLS 100
+#elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_CELLS 1024
 #else
 #define QTR_MAX_CELLS 1048576
@@ -43,7 +47,9 @@
 
 /* Candidate places of a mission, 1..4096. A set of places costs a robot one 32-bit word for every 32 of them. */
 #ifndef QTR_MAX_PLACES
-#ifdef QTR_PROFILE_MCU
+#if defined(QTR_PROFILE_TINY)
+#define QTR_MAX_PLACES 8
+#elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_PLACES 16
 #else
 #define QTR_MAX_PLACES 128
@@ -52,7 +58,9 @@
 
 /* Seekers of a mission, 1..64. */
 #ifndef QTR_MAX_SEEKERS
-#ifdef QTR_PROFILE_MCU
+#if defined(QTR_PROFILE_TINY)
+#define QTR_MAX_SEEKERS 2
+#elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_SEEKERS 4
 #else
 #define QTR_MAX_SEEKERS 16
@@ -62,7 +70,9 @@
 /* Places of a hiding spot, 1..8. The best order inside a spot is worked out over the subsets of its places, in
  * 12 * size * 2^size bytes of scratch. */
 #ifndef QTR_MAX_SPOT_SIZE
-#ifdef QTR_PROFILE_MCU
+#if defined(QTR_PROFILE_TINY)
+#define QTR_MAX_SPOT_SIZE 2
+#elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_SPOT_SIZE 5
 #else
 #define QTR_MAX_SPOT_SIZE 8
@@ -71,7 +81,9 @@
 
 /* Learner: regions that a map is divided into. */
 #ifndef QTR_MAX_REGIONS
-#ifdef QTR_PROFILE_MCU
+#if defined(QTR_PROFILE_TINY)
+#define QTR_MAX_REGIONS 1
+#elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_REGIONS 1024
 #else
 #define QTR_MAX_REGIONS 131072
@@ -90,7 +102,9 @@
 /* Learner: 32-bit words given to the Q-table's entries at most. An entry takes 2 words for a small mission and up to 7 for a
  * large one. A full table refuses new entries and counts them; the certificate stays valid, its gap closes slower. */
 #ifndef QTR_QTABLE_WORDS
-#ifdef QTR_PROFILE_MCU
+#if defined(QTR_PROFILE_TINY)
+#define QTR_QTABLE_WORDS 1024
+#elif defined(QTR_PROFILE_MCU)
 #define QTR_QTABLE_WORDS 8192
 #else
 #define QTR_QTABLE_WORDS (1ul << 26)
@@ -102,10 +116,24 @@
 /* Learner: time slots of the price bound. A mission whose search takes more steps is bounded in slots of several
  * steps, which stays valid and is less tight. Memory: 24 bytes for every slot and place. */
 #ifndef QTR_BOUND_SLOTS
-#ifdef QTR_PROFILE_MCU
+#if defined(QTR_PROFILE_TINY)
+#define QTR_BOUND_SLOTS 24
+#elif defined(QTR_PROFILE_MCU)
 #define QTR_BOUND_SLOTS 256
 #else
 #define QTR_BOUND_SLOTS 4096
+#endif
+#endif
+
+/* Learner: powers of gamma that are kept ready, 8 bytes each; later ones are computed, which takes longer. Other sizes may
+ * differ in the last bit of what is discounted. */
+#ifndef QTR_OBJECTIVE_POWERS
+#if defined(QTR_PROFILE_TINY)
+#define QTR_OBJECTIVE_POWERS 64
+#elif defined(QTR_PROFILE_MCU)
+#define QTR_OBJECTIVE_POWERS 512
+#else
+#define QTR_OBJECTIVE_POWERS 4096
 #endif
 #endif
 
@@ -139,6 +167,9 @@
 #if QTR_BOUND_SLOTS < 16
 #error "QTR_BOUND_SLOTS must be 16 or more"
 #endif
+#if QTR_OBJECTIVE_POWERS < 16 || QTR_OBJECTIVE_POWERS > 65536
+#error "QTR_OBJECTIVE_POWERS must lie in 16..65536"
+#endif
 
 /* A cell's index, row * columns + column; row 0 is the top row. */
 #if QTR_MAX_CELLS <= 65535
@@ -166,6 +197,6 @@ typedef uint32_t qtr_steps;
               ((uint32_t)(QTR_MAX_SEEKERS) * 3266489917u) ^ ((uint32_t)(QTR_QTABLE_WORDS) * 668265263u) ^              \
               ((uint32_t)(QTR_BOUND_SLOTS) * 374761393u) ^ ((uint32_t)(QTR_MAX_SPOT_SIZE) * 1013904223u) ^             \
               ((uint32_t)(QTR_MAX_REGIONS) * 2246822507u) ^ ((uint32_t)(QTR_MAX_REGION_SIZE) * 3266489909u) ^          \
-              ((uint32_t)(QTR_MAX_REGION_DIAMETER) * 2654435769u)))
+              ((uint32_t)(QTR_MAX_REGION_DIAMETER) * 2654435769u) ^ ((uint32_t)(QTR_OBJECTIVE_POWERS) * 2147483659u)))
 
 #endif

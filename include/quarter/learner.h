@@ -48,6 +48,9 @@ typedef struct {
                     takes longer; below QTR_FLOAT_GAP it takes more memory, and QTR_LEAST_GAP is the least that can be
                     told. The paper setting, with 0, goes on learning whatever is proven. */
   uint64_t seed; /* of the random choices: how the local search shakes, how the paper setting explores */
+  uint32_t
+      price_steps; /* of the bound at most before games are learnt from; 0: as long as they gain. Small missions are
+                           certified sooner by some games more than by prices at their best */
   uint8_t setting; /* enum qtr_setting */
   double alpha;    /* paper setting: learning rate, above 0 up to 1; 1 is right where the model is deterministic */
   qtr_exploration_plan exploration; /* paper setting */
@@ -55,7 +58,7 @@ typedef struct {
                          game is often better than any that the aggregate allows. False: the aggregate's own best */
 } qtr_learner_config;
 
-/* Gap 1e-5, seed 1, certified, with search on the ground; alpha 1 and epsilon-greedy for the paper setting. */
+/* Gap 1e-5, seed 1, prices at their best, certified, with search on the ground; alpha 1 and epsilon-greedy for the paper setting. */
 void qtr_learner_config_default(qtr_learner_config *config);
 
 /* QTR_OK, or QTR_ERR_ARGUMENT for settings out of their ranges, or not from their default. */

@@ -38,7 +38,6 @@ int qtr_aim_check(const qtr_aim *aim);
 
 #define QTR_REWARD_SCALE 10.0 /* w of Eq. 4.2 */
 #define QTR_NEGLIGIBLE 1e-9   /* share of an objective: nobody calls an order optimal on which less than this depends */
-#define QTR_OBJECTIVE_POWERS 4096u /* powers of gamma kept ready; later ones are computed */
 
 /* Under discounting a game is refused whose nearest place has less than this left of it when it is reached: the floats of
  * the Q-table end at 1e-38, and what they cannot tell from nothing must not be called equal. */

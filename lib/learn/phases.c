@@ -20,6 +20,7 @@ void qtr_learner_config_default(qtr_learner_config *config) {
   config->made = SETTINGS_MADE;
   config->gap = 1e-5;
   config->seed = 1;
+  config->price_steps = 0;
   config->setting = QTR_SETTING_CERTIFIED;
   config->alpha = 1.0;
   config->ground_search = true;
@@ -142,11 +143,15 @@ static void note_upper(qtr_learner *learner) {
   if ((!of_ground || !learner_is_aggregate(learner)) && upper < learner->upper) learner->upper = upper;
 }
 
+static bool may_tune(const qtr_learner *learner) {
+  return learner->config.price_steps == 0 || learner->bound.iterations < learner->config.price_steps;
+}
+
 /* The goal is the best game known, which no bound falls below. Episodes need the best prices' C, so they are settled first. */
 static void tune_prices(qtr_learner *learner) {
   bool improves = true;
   for (int i = 0; i < PRICE_STEPS && improves; i++)
-    improves = qtr_bound_improve(&learner->bound, learner->best.score.worth);
+    improves = may_tune(learner) && qtr_bound_improve(&learner->bound, learner->best.score.worth);
   note_upper(learner);
   if (improves || !qtr_bound_settle(&learner->bound)) return;
   if (learner->phase == QTR_PHASE_GROUND_PRICES && learner_is_aggregate(learner) && !learner_is_paper(learner))

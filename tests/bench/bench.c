@@ -11,7 +11,7 @@
 #include "bench.h"
 #include "host/base/clock.h"
 #include "host/input/read.h"
-#include "quarter/random.h"
+#include "support/scattered.h"
 
 #define MAPS_MOST 100
 
@@ -71,35 +71,8 @@ static double median(double *values, int count) {
 
 /* ---- random maps ---- */
 
-static uint64_t state;
-
-static unsigned draw(unsigned below) {
-  return qtr_lcg_below(&state, below);
-}
-
-static bool is_taken(qtr_cell cell) {
-  for (int p = 0; p < mission.places; p++)
-    if (mission.place[p] == cell) return true;
-  return mission.cost[cell] == 0 || cell == 0;
-}
-
-/* Maps with a place that cannot be reached are drawn again. */
 qtr_mission *bench_map(unsigned seed, int side, int places, int seekers, int objective) {
-  state = seed * 0x9E3779B97F4A7C15u;
-  do {
-    qtr_mission_default(&mission);
-    mission.columns = mission.rows = (uint16_t)side;
-    mission.aim.kind = (uint8_t)objective;
-    mission.seekers = (uint8_t)seekers;
-    for (int cell = 0; cell < side * side; cell++) mission.cost[cell] = draw(100) >= 20;
-    mission.cost[0] = 1;
-    while (mission.places < places) {
-      const qtr_cell cell = draw((unsigned)(side * side));
-      if (is_taken(cell)) continue;
-      mission.place[mission.places] = cell;
-      mission.weight[mission.places++] = draw(3) == 0 ? 3.0 : 1.0;
-    }
-  } while (qtr_game_init(&game, &mission, &travel, NULL) != QTR_OK);
+  scattered_make(&mission, &game, &travel, seed, (unsigned)side, (unsigned)places, (unsigned)seekers, objective);
   return &mission;
 }
 
@@ -179,20 +152,8 @@ static void bench_entry(int side, int places, int seekers, const char *target) {
 /* ---- large maps: in a process of its own, whose memory is then its own ---- */
 
 static void travel_large(void) {
-  bench_map(1, 4, 1, 1, QTR_DISCOUNTED);
-  const int side = 1024;
-  state = 7;
-  qtr_mission_default(&mission);
-  mission.columns = mission.rows = (uint16_t)side;
-  mission.seekers = 4;
-  for (int cell = 0; cell < side * side; cell++) mission.cost[cell] = draw(100) >= 20;
-  mission.cost[0] = 1;
-  while (mission.places < 64) {
-    const qtr_cell cell = draw((unsigned)(side * side));
-    if (is_taken(cell)) continue;
-    mission.place[mission.places] = cell;
-    mission.weight[mission.places++] = 1.0;
-  }
+  uint64_t state = 7;
+  scattered_draw(&mission, &state, 1024, 64, 4, QTR_DISCOUNTED);
   const double begin = clock_seconds();
   qtr_game_init(&game, &mission, &travel, NULL);
   const double seconds = clock_seconds() - begin;

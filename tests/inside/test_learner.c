@@ -279,6 +279,22 @@ static void test_gap_of_zero_is_closed_to_the_last_bits(void) {
   }
 }
 
+static void test_few_price_steps_leave_the_rest_to_games(void) {
+  uint64_t games = 0;
+  for (unsigned number = 0; number < 100; number++) {
+    test_random random = random_case("few prices", number);
+    qtr_certificate certificate;
+    random_game(&random, 9, 7);
+    config.price_steps = 1 + number % 20;
+    begin();
+    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_CERTIFIED, learn(&certificate), case_note);
+    expect_truth(&certificate, brute_optimum(&brute));
+    TEST_ASSERT_LESS_OR_EQUAL_UINT32_MESSAGE(config.price_steps, certificate.price_steps, case_note);
+    games += certificate.episodes;
+  }
+  TEST_ASSERT_GREATER_THAN_UINT64(100, games);
+}
+
 static void test_steps_after_the_end_change_nothing(void) {
   qtr_certificate end;
   qtr_certificate later;
@@ -424,6 +440,7 @@ static void test_caller_of_another_build_is_refused(void) {
 static void test_defaults_are_those_documented(void) {
   TEST_ASSERT_TRUE(config.gap == 1e-5);
   TEST_ASSERT_EQUAL_UINT64(1, config.seed);
+  TEST_ASSERT_EQUAL_UINT32(0, config.price_steps);
 }
 
 int main(void) {
@@ -435,6 +452,7 @@ int main(void) {
   RUN_TEST(test_full_table_ends_with_a_gap_that_is_true);
   RUN_TEST(test_wide_gap_stops_sooner_and_within_it);
   RUN_TEST(test_gap_of_zero_is_closed_to_the_last_bits);
+  RUN_TEST(test_few_price_steps_leave_the_rest_to_games);
   RUN_TEST(test_steps_after_the_end_change_nothing);
   RUN_TEST(test_a_stop_while_the_table_grows_is_no_loss);
   RUN_TEST(test_first_episode_backs_up_as_in_the_textbook);

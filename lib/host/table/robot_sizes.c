@@ -4,6 +4,7 @@
 #undef QTR_MAX_CELLS
 #undef QTR_MAX_PLACES
 #undef QTR_MAX_SEEKERS
+#undef QTR_PROFILE_TINY
 #undef QTR_PROFILE_MCU
 #define QTR_PROFILE_MCU
 #include "host/table/robot_sizes.h"
