@@ -14,8 +14,8 @@ import sys
 
 from check_source import blanked, report, self_test
 
-FREESTANDING = {"stdint.h", "stdbool.h", "stddef.h", "limits.h", "string.h"}
-SYSTEM = {"robot": FREESTANDING, "learner": FREESTANDING | {"float.h", "math.h"}}
+FREESTANDING = {"stdint.h", "stdbool.h", "stddef.h", "limits.h"}
+SYSTEM = {"robot": FREESTANDING, "learner": FREESTANDING | {"float.h", "math.h", "string.h"}}
 # What each side may see: itself and what it stands on.
 SEES = {
     "robot": {"robot"},
@@ -190,7 +190,7 @@ def prove_the_core():
     floors = read_floors(TRIAL_TABLE)
     assert [module for _, module in floors][:6] == ["config", "grid", "bytes", "travel", "seeker", "game"]
     assert floors["lib/robot", "travel"] == (3, "robot") and floors["lib/model", "game"] == (5, "learner")
-    fine = '#include "quarter/grid.h"\n#include "core/bytes.h"\n#include <string.h>\n/* 1.5 double */ int x = 0x1E5;\n'
+    fine = '#include "quarter/grid.h"\n#include "core/bytes.h"\n#include <stddef.h>\n/* 1.5 double */ int x = 0x1E5;\n'
     cases = [
         ("nothing", "lib/robot/travel.c", fine, 0),
         ("a higher floor", "lib/core/grid.c", '#include "quarter/travel.h"\n', 1),
@@ -200,6 +200,8 @@ def prove_the_core():
         ("a host header", "lib/model/game.c", "#include <stdlib.h>\n", 1),
         ("a header of the host library", "lib/model/game.c", '#include "host/base/fault.h"\n', 1),
         ("mathematics on the learner side", "lib/model/game.c", "#include <math.h>\ndouble x = 1.5;", 0),
+        ("the C library on the robot side", "lib/core/grid.c", "#include <string.h>\n", 1),
+        ("the C library on the learner side", "lib/model/game.c", "#include <string.h>\n", 0),
         ("mathematics on the robot side", "include/quarter/grid.h", "#include <math.h>\n", 1),
         ("a floating type", "lib/core/grid.c", "static double x;\n", 1),
         ("a floating constant", "lib/core/grid.c", "int x = (int)(2 * 1.5);\n", 1),

@@ -36,6 +36,23 @@ def compile_all(folder, cc, cxx):
     return faults
 
 
+# Compilers call these on their own account, whatever the source says.
+COMPILERS = {"memcpy", "memmove", "memset", "memcmp"}
+
+
+def compile_without_library(folder, cc, nm):
+    """As on a bare board: no headers but the compiler's own, no function of a C library."""
+    headers = subprocess.run([cc, "-print-file-name=include"], check=True, capture_output=True, encoding="utf-8").stdout.strip()
+    command = [cc, "-std=c99", "-Os", "-ffreestanding", "-fno-builtin", "-fno-stack-protector", "-fno-pic", "-nostdinc"]
+    command += ["-isystem", headers, "-DQTR_PROFILE_MCU", "-c", "quarter_robot.c", "-o", str(pathlib.Path("bare.o").absolute())]
+    done = subprocess.run(command, cwd=folder, capture_output=True, encoding="utf-8", errors="replace")
+    if done.returncode != 0:
+        return [" ".join(command) + "\n" + done.stderr]
+    listing = subprocess.run([nm, "--format=posix", "-u", "bare.o"], check=True, capture_output=True, encoding="utf-8").stdout
+    needed = {line.split()[0] for line in listing.splitlines()}
+    return [f"needs {name} of a C library" for name in sorted(needed - COMPILERS)]
+
+
 def functions(nm, objects):
     listing = subprocess.run([nm, "--format=posix", str(objects)], check=True, capture_output=True, encoding="utf-8").stdout
     rows = [line.split() for line in listing.splitlines()]
@@ -78,6 +95,7 @@ def main():
     parser.add_argument("--nm", default="nm")
     options = parser.parse_args()
     faults = check_collisions(options.source) + compile_all(options.bundle, options.cc, options.cxx)
+    faults += compile_without_library(options.bundle, options.cc, options.nm)
     if not faults:
         command = [options.cc, "-std=c99", "-O2", "-c", str(options.bundle / "quarter_robot.c"), "-o", "quarter_robot.o"]
         subprocess.run(command, check=True)

@@ -2,7 +2,6 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <string.h>
 
 #include "core/bytes.h"
 #include "core/crc.h"
@@ -34,7 +33,7 @@ static bool are_home(const qtr_policy *policy, const qtr_cell *starts) {
 }
 
 void qtr_deployment_home(qtr_deployment *deployment, const qtr_policy *policy) {
-  memcpy(deployment->start_of, policy->board.start_of, sizeof deployment->start_of);
+  for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++) deployment->start_of[i] = policy->board.start_of[i];
   qtr_places_clear(&deployment->cleared);
   for (uint32_t i = 0; policy->cleared != NULL && i < bits_size(policy->board.places); i++)
     bits_add(deployment->cleared.word, i, policy->cleared[i]);

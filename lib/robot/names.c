@@ -2,7 +2,6 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <string.h>
 
 #include "core/bytes.h"
 #include "core/crc.h"
@@ -23,26 +22,26 @@ uint32_t qtr_names_size(const char *mission) {
 void qtr_names_write(uint8_t *bytes, const char *mission) {
   const uint32_t size = qtr_names_size(mission);
   if (size == 0) return;
-  memset(bytes, 0, HEAD);
-  memcpy(bytes, "QTRH", MAGIC);
+  bytes_clear(bytes, HEAD);
+  bytes_copy(bytes, "QTRH", MAGIC);
   store16_le(bytes + MAGIC, VERSION);
   store32_le(bytes + SIZE_AT, size);
   store16_le(bytes + HEAD, MISSION_NAME);
   store16_le(bytes + HEAD + 2, size - HEAD - ENTRY);
-  memcpy(bytes + HEAD + ENTRY, mission, (size_t)(size - HEAD - ENTRY));
+  bytes_copy(bytes + HEAD + ENTRY, mission, size - HEAD - ENTRY);
   store32_le(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
 /* Sizes must agree to the byte: behind the names nothing more is kept. */
 static bool is_whole(const uint8_t *bytes, uint32_t size) {
-  return size >= HEAD && memcmp(bytes, "QTRH", MAGIC) == 0 && load32_le(bytes + SIZE_AT) == size &&
+  return size >= HEAD && bytes_begin(bytes, "QTRH") && load32_le(bytes + SIZE_AT) == size &&
          load32_le(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD);
 }
 
 /* Into an array of QTR_NAME_BYTES. */
 static void take(char *mission, uint32_t what, const uint8_t *text, uint32_t length) {
   if (what != MISSION_NAME || length >= QTR_NAME_BYTES) return;
-  memcpy(mission, text, (size_t)length);
+  bytes_copy(mission, text, length);
   mission[length] = '\0';
 }
 

@@ -1,5 +1,4 @@
 #include <stddef.h>
-#include <string.h>
 
 #include "core/crc.h"
 #include "quarter/claim.h"
@@ -29,7 +28,7 @@ static int check_size(const qtr_policy *policy, uint32_t size, uint32_t header) 
 static int check_frame(qtr_policy *policy, const uint8_t *bytes, uint32_t size) {
   policy->bytes = bytes;
   if (size < QTR_POLICY_VERSION) return QTR_ERR_TRUNCATED;
-  if (memcmp(bytes, QTR_POLICY_MAGIC_BYTES, QTR_POLICY_VERSION) != 0) return QTR_ERR_MAGIC;
+  if (!bytes_begin(bytes, QTR_POLICY_MAGIC_BYTES)) return QTR_ERR_MAGIC;
   if (size < QTR_POLICY_COLUMNS) return QTR_ERR_TRUNCATED;
   policy->format = (uint8_t)load16_le(bytes + QTR_POLICY_VERSION);
   policy->size = load32_le(bytes + QTR_POLICY_SIZE);

@@ -1,8 +1,8 @@
 #include "quarter/seeker.h"
 
 #include <stddef.h>
-#include <string.h>
 
+#include "core/bytes.h"
 #include "quarter/status.h"
 
 static bool set_has(const qtr_seeker_set *set, unsigned seeker) {
@@ -26,7 +26,7 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
                           uint32_t run, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   if (self >= policy->board.seekers) return QTR_ERR_ARGUMENT;
-  memset(seeker, 0, sizeof *seeker);
+  bytes_clear(seeker, sizeof *seeker);
   seeker->policy = policy;
   seeker->self = (uint8_t)self;
   seeker->run = run;
@@ -47,7 +47,7 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
 static void find_finished(qtr_seeker *seeker, bool is_first) {
   const qtr_division *division = &seeker->division;
   qtr_seeker_set open;
-  memset(&open, 0, sizeof open);
+  bytes_clear(&open, sizeof open);
   for (unsigned i = 0; i < division->moves; i++)
     if (!qtr_places_has(&seeker->visited, division->place[i])) set_add(&open, division->seeker[i]);
   for (unsigned t = 0; t < seekers_of(seeker); t++) {
