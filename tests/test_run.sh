@@ -54,7 +54,7 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   apt-cache() { return 0; }
   with_firmware=yes
   found=$(command=test missing_tools | tr ' ' '\n' | sort -u | paste -sd ' ')
-  expect "tools of test --firmware" "$found" "avr-libc clang g++ gcc-arm-none-eabi gcc-avr gcc-i686-linux-gnu \
+  expect "tools of test --firmware" "$found" "avr-libc clang cppcheck g++ gcc-arm-none-eabi gcc-avr gcc-i686-linux-gnu \
 gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libsodium-dev libspng-dev \
 libstb-dev nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user simavr spin"
   with_firmware=""
