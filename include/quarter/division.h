@@ -18,7 +18,7 @@ QTR_C_BEGIN
 
 /* Each place is chosen once. Under the paper's rule seekers follow others where no place is left for them alone: then no more
  * places than seekers are left, and each seeker goes to each of them at most once. */
-#define QTR_MAX_MOVES (QTR_MAX_PLACES + QTR_MAX_SEEKERS * QTR_MAX_SEEKERS)
+#define QTR_MAX_MOVES (QTR_MAX_PLACES + (QTR_MAX_SEEKERS * QTR_MAX_SEEKERS))
 
 typedef struct {
   qtr_joint joint;               /* the nominal game, as far as it is played */

@@ -59,9 +59,13 @@ static inline uint32_t qtr_grid_cells(const qtr_grid *grid) {
 
 /* Steps that entering `cell` takes, 1..255; 0 if it is blocked or outside the grid. */
 static inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
-  if (cell >= qtr_grid_cells(grid)) return 0;
-  if (grid->encoding == QTR_GRID_BYTES) return grid->cells[cell];
-  return ((unsigned)grid->cells[cell / 8] >> (cell % 8)) & 1u;
+  if (cell >= qtr_grid_cells(grid)) {
+    return 0;
+  }
+  if (grid->encoding == QTR_GRID_BYTES) {
+    return grid->cells[cell];
+  }
+  return ((unsigned)grid->cells[cell / 8u] >> (cell % 8u)) & 1u;
 }
 
 /* The cell next to `cell` in a direction, blocked or not; QTR_NO_CELL beyond the map's edge, and next to a cell outside. */

@@ -16,7 +16,7 @@ QTR_C_BEGIN
 
 /* Words that hold the key of any state of any board of this build: visited places, the clock, and a node and a time a
  * seeker. */
-#define QTR_KEY_WORDS (QTR_PLACE_WORDS + 1 + (QTR_MAX_SEEKERS * 48 + 31) / 32)
+#define QTR_KEY_WORDS (QTR_PLACE_WORDS + 1 + (((QTR_MAX_SEEKERS * 48) + 31) / 32))
 
 /* What the digits of a game's keys range over, and so how long they are. Fill the first part, then call
  * qtr_key_measure(). */

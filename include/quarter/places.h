@@ -17,19 +17,25 @@ typedef struct {
 } qtr_places;
 
 static inline void qtr_places_clear(qtr_places *set) {
-  for (int w = 0; w < QTR_PLACE_WORDS; w++) set->word[w] = 0;
+  for (int w = 0; w < QTR_PLACE_WORDS; w++) {
+    set->word[w] = 0;
+  }
 }
 
 static inline bool qtr_places_has(const qtr_places *set, unsigned place) {
-  return place < QTR_MAX_PLACES && ((set->word[place / 32] >> (place % 32)) & 1u) != 0;
+  return (place < QTR_MAX_PLACES) && (((set->word[place / 32u] >> (place % 32u)) & 1u) != 0u);
 }
 
 static inline void qtr_places_add(qtr_places *set, unsigned place) {
-  if (place < QTR_MAX_PLACES) set->word[place / 32] |= (uint32_t)1 << (place % 32);
+  if (place < QTR_MAX_PLACES) {
+    set->word[place / 32u] |= (uint32_t)1 << (place % 32u);
+  }
 }
 
 static inline void qtr_places_remove(qtr_places *set, unsigned place) {
-  if (place < QTR_MAX_PLACES) set->word[place / 32] &= ~((uint32_t)1 << (place % 32));
+  if (place < QTR_MAX_PLACES) {
+    set->word[place / 32u] &= ~((uint32_t)1 << (place % 32u));
+  }
 }
 
 QTR_C_END

@@ -17,7 +17,7 @@ QTR_C_BEGIN
 
 #define QTR_POLICY_FORMAT 2 /* raised when the bytes change their meaning; apart from the library's version */
 #define QTR_POLICY_NO_REGION 0xFFFFu
-#define QTR_RECORD_BYTES (4 * QTR_KEY_WORDS + 4) /* of the largest record of a table */
+#define QTR_RECORD_BYTES ((4 * QTR_KEY_WORDS) + 4) /* of the largest record of a table */
 
 /* Whether tables of format 1, which Quarter 0.1 wrote, are opened too. A host does; a robot's table is learnt anew. */
 #ifndef QTR_READ_FORMAT_1

@@ -133,7 +133,8 @@ uint32_t qtr_seeker_foreign(const qtr_seeker *seeker);
 /* ---- after a reset ---- */
 
 /* Bytes of a save at most, under this build's sizes. */
-#define QTR_SAVE_BYTES (20 + 2 * QTR_MAX_SEEKERS + 3 * ((QTR_MAX_PLACES + 7) / 8) + 2 * ((QTR_MAX_SEEKERS + 7) / 8))
+#define QTR_SAVE_BYTES                                                                                                 \
+  (20 + (2 * QTR_MAX_SEEKERS) + (3 * ((QTR_MAX_PLACES + 7) / 8)) + (2 * ((QTR_MAX_SEEKERS + 7) / 8)))
 
 /* What must outlast a reset, for memory that does: after each place and each signal. Returns the bytes written, or
  * QTR_ERR_SPACE if `size` is too small. */

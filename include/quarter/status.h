@@ -11,7 +11,7 @@ QTR_C_BEGIN
 #define QTR_VERSION_PATCH 0
 #define QTR_VERSION_STRING "0.1.0"
 /* As one number, which #if can compare: a byte each, as a table says who wrote it. */
-#define QTR_VERSION (QTR_VERSION_MAJOR * 65536L + QTR_VERSION_MINOR * 256L + QTR_VERSION_PATCH)
+#define QTR_VERSION ((QTR_VERSION_MAJOR * 65536L) + (QTR_VERSION_MINOR * 256L) + QTR_VERSION_PATCH)
 
 enum {
   QTR_OK = 0,

@@ -9,7 +9,9 @@
 
 /* Whether a block of so many bytes holds those needed, aligned for whatever stands in it. */
 static inline int block_check(const void *block, size_t bytes, size_t needed) {
-  if ((uintptr_t)block % sizeof(uint64_t) != 0) return QTR_ERR_ARGUMENT;
+  if ((uintptr_t)block % sizeof(uint64_t) != 0) {
+    return QTR_ERR_ARGUMENT;
+  }
   return block != NULL && bytes >= needed ? QTR_OK : QTR_ERR_SPACE;
 }
 

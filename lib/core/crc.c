@@ -11,8 +11,8 @@ uint32_t qtr_crc32_add(uint32_t crc, const uint8_t *bytes, uint32_t size) {
   crc = ~crc;
   for (uint32_t i = 0; i < size; i++) {
     crc ^= bytes[i];
-    crc = crc >> 4 ^ nibble_table[crc & 15u];
-    crc = crc >> 4 ^ nibble_table[crc & 15u];
+    crc = (crc >> 4) ^ nibble_table[crc & 15u];
+    crc = (crc >> 4) ^ nibble_table[crc & 15u];
   }
   return ~crc;
 }

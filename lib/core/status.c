@@ -30,6 +30,6 @@ uint32_t qtr_version(void) {
 
 /* A code of a later version, or a count that was taken for one, is no index. */
 const char *qtr_strerror(int status) {
-  const int count = (int)(sizeof texts / sizeof texts[0]);
-  return status <= 0 && status > -count ? texts[-status] : "unknown status";
+  const int count = (int)(sizeof texts / sizeof(texts[0]));
+  return ((status <= 0) && (status > -count)) ? texts[-status] : "unknown status";
 }

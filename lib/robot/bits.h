@@ -9,12 +9,12 @@ static inline uint32_t bits_size(unsigned members) {
 }
 
 static inline uint8_t bits_byte(const uint32_t *word, uint32_t i) {
-  return (uint8_t)(word[i / 4] >> (8 * (i % 4)) & 0xFFu);
+  return (uint8_t)((word[i / 4u] >> (8u * (i % 4u))) & 0xFFu);
 }
 
 /* Add a byte to a set that is clear there. */
 static inline void bits_add(uint32_t *word, uint32_t i, uint8_t byte) {
-  word[i / 4] |= (uint32_t)byte << (8 * (i % 4));
+  word[i / 4u] |= (uint32_t)byte << (8u * (i % 4u));
 }
 
 #endif

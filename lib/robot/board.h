@@ -11,12 +11,14 @@
 static inline qtr_steps steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
   (void)seeker; /* all travel alike */
   /* A seeker stands on a node of the board, and goes to one of its places. */
-  QTR_ASSERT((seeker < board->seekers || seeker == QTR_ANY_SEEKER) && node < (unsigned)board->places + board->starts &&
-             place < board->places);
-  const uint8_t *at = board->steps + board->step_bytes * ((uint32_t)node * board->places + place);
-  if (board->step_bytes == 4) return load32_le(at);
-  const uint32_t steps = board->step_bytes == 1 ? at[0] : load16_le(at);
-  return steps == (board->step_bytes == 1 ? 0xFFu : 0xFFFFu) ? QTR_NEVER : steps;
+  QTR_ASSERT(((seeker < board->seekers) || (seeker == QTR_ANY_SEEKER)) &&
+             (node < ((unsigned)board->places + board->starts)) && (place < board->places));
+  const uint8_t *at = board->steps + (board->step_bytes * (((uint32_t)node * board->places) + place));
+  if (board->step_bytes == 4u) {
+    return load32_le(at);
+  }
+  const uint32_t steps = (board->step_bytes == 1u) ? at[0] : load16_le(at);
+  return (steps == ((board->step_bytes == 1u) ? 0xFFu : 0xFFFFu)) ? QTR_NEVER : steps;
 }
 
 /* What a table says of each seeker, from the board's seekers on: where it starts. 2 bytes each. */

@@ -13,26 +13,30 @@
 /* A number that is ordered as the doubles are, with one 0; beyond DOUBLE_INFINITE are those that are none. */
 static int64_t rank_of(qtr_double_bits bits) {
   const int64_t magnitude = (int64_t)(bits & 0x7FFFFFFFFFFFFFFFu);
-  return bits >> 63 != 0 ? -magnitude : magnitude;
+  return ((bits >> 63) != 0u) ? -magnitude : magnitude;
 }
 
 static bool is_finite(int64_t rank) {
-  return rank > -DOUBLE_INFINITE && rank < DOUBLE_INFINITE;
+  return (rank > -DOUBLE_INFINITE) && (rank < DOUBLE_INFINITE);
 }
 
 /* Open where, and only where, value and bound differ. Of values so small that they lose digits little is known. */
 static bool gap_agrees(int64_t gap, int64_t objective, int64_t bound, bool is_certified) {
-  if (gap < 0 || gap > DOUBLE_INFINITE || (is_certified && !is_finite(gap))) return false;
-  if (objective < DOUBLE_NORMAL) return true;
-  return is_finite(gap) && (gap == 0) == (objective == bound);
+  if ((gap < 0) || (gap > DOUBLE_INFINITE) || (is_certified && !is_finite(gap))) {
+    return false;
+  }
+  if (objective < DOUBLE_NORMAL) {
+    return true;
+  }
+  return is_finite(gap) && ((gap == 0) == (objective == bound));
 }
 
 static bool is_amount(int64_t rank) {
-  return rank >= 0 && is_finite(rank);
+  return (rank >= 0) && is_finite(rank);
 }
 
 static bool is_discount(int64_t rank) {
-  return rank > 0 && rank < DOUBLE_ONE;
+  return (rank > 0) && (rank < DOUBLE_ONE);
 }
 
 /* Expected time's bound may lie below 0: stopped early, it may say nothing. */
@@ -42,9 +46,12 @@ int qtr_check_certificate(const qtr_policy *policy) {
   const int64_t figure = rank_of(claim.figure);
   const int64_t bound = rank_of(claim.bound);
   if (!is_discount(rank_of(claim.gamma)) || !is_amount(rank_of(claim.value)) || !is_finite(bound) ||
-      !is_amount(rank_of(claim.expected_time)))
+      !is_amount(rank_of(claim.expected_time))) {
     return QTR_ERR_CERTIFICATE;
-  if (claim.less_is_better ? bound > figure : bound < figure) return QTR_ERR_CERTIFICATE;
+  }
+  if (claim.less_is_better ? (bound > figure) : (bound < figure)) {
+    return QTR_ERR_CERTIFICATE;
+  }
   const bool agrees = gap_agrees(rank_of(claim.gap), figure, bound, claim.certified);
   return agrees ? QTR_OK : QTR_ERR_CERTIFICATE;
 }

@@ -7,31 +7,42 @@
 /* The grid lies somewhere, and on its map. */
 static int check_place_in_world(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
-  if (!qtr_frame_is_one(&policy->frame)) return QTR_ERR_CORRUPT;
-  if (policy->format == 1) return QTR_OK;
+  if (!qtr_frame_is_one(&policy->frame)) {
+    return QTR_ERR_CORRUPT;
+  }
+  if (policy->format == 1u) {
+    return QTR_OK;
+  }
   const uint32_t right = load16_le(bytes + QTR_POLICY_LEFT) + policy->grid.columns;
   const uint32_t bottom = load16_le(bytes + QTR_POLICY_TOP) + policy->grid.rows;
   const bool is_on_map =
-      right <= load16_le(bytes + QTR_POLICY_MAP_COLUMNS) && bottom <= load16_le(bytes + QTR_POLICY_MAP_ROWS);
+      (right <= load16_le(bytes + QTR_POLICY_MAP_COLUMNS)) && (bottom <= load16_le(bytes + QTR_POLICY_MAP_ROWS));
   return is_on_map ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* Bytes that mean nothing are 0: what fills up the seats before the cells (format 1), and the bits behind the last cell. */
 static int check_padding(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
-  if (policy->format == 1 && policy->board.seekers % 2 == 1 && load16_le(policy->cells - 2) != 0)
+  if ((policy->format == 1u) && ((policy->board.seekers % 2u) == 1u) && (load16_le(policy->cells - 2u) != 0u)) {
     return QTR_ERR_CORRUPT;
+  }
   const unsigned places = policy->board.places;
-  if (policy->cleared != NULL && places % 8 != 0 && policy->cleared[places / 8] >> (places % 8) != 0)
+  if ((policy->cleared != NULL) && ((places % 8u) != 0u) && ((policy->cleared[places / 8u] >> (places % 8u)) != 0u)) {
     return QTR_ERR_CORRUPT;
-  if (policy->grid.encoding != QTR_GRID_BITS || cells % 8 == 0) return QTR_OK;
-  return policy->grid.cells[cells / 8] >> (cells % 8) == 0 ? QTR_OK : QTR_ERR_CORRUPT;
+  }
+  if ((policy->grid.encoding != QTR_GRID_BITS) || ((cells % 8u) == 0u)) {
+    return QTR_OK;
+  }
+  return ((policy->grid.cells[cells / 8u] >> (cells % 8u)) == 0u) ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* Robots drive to free cells. */
 static int check_free(const qtr_policy *policy) {
-  for (unsigned node = 0; node < qtr_board_nodes(&policy->board); node++)
-    if (qtr_grid_cost(&policy->grid, qtr_policy_cell(policy, node)) == 0) return QTR_ERR_CORRUPT;
+  for (unsigned node = 0; node < qtr_board_nodes(&policy->board); node++) {
+    if (qtr_grid_cost(&policy->grid, qtr_policy_cell(policy, node)) == 0u) {
+      return QTR_ERR_CORRUPT;
+    }
+  }
   return QTR_OK;
 }
 
@@ -41,21 +52,27 @@ static int check_weights(const qtr_policy *policy) {
   const unsigned places = policy->board.places;
   uint64_t sum = 0;
   for (unsigned place = 0; place < places; place++) {
-    if (qtr_policy_weight(policy, place) == 0) return QTR_ERR_CORRUPT;
+    if (qtr_policy_weight(policy, place) == 0u) {
+      return QTR_ERR_CORRUPT;
+    }
     sum += qtr_policy_weight(policy, place);
   }
-  return sum + places >= one && sum <= one + places ? QTR_OK : QTR_ERR_CORRUPT;
+  return (((sum + places) >= one) && (sum <= (one + places))) ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* Every free cell belongs to a region, whose start lies in it; blocked cells belong to none. */
 static int check_regions(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
-  for (uint32_t cell = 0; policy->regions != NULL && cell < cells; cell++) {
-    const bool is_free = qtr_grid_cost(&policy->grid, (qtr_cell)cell) > 0;
+  for (uint32_t cell = 0; (policy->regions != NULL) && (cell < cells); cell++) {
+    const bool is_free = qtr_grid_cost(&policy->grid, (qtr_cell)cell) > 0u;
     const unsigned region = qtr_policy_region(policy, (qtr_cell)cell);
-    if ((region == QTR_POLICY_NO_REGION) == is_free) return QTR_ERR_CORRUPT;
+    if ((region == QTR_POLICY_NO_REGION) == is_free) {
+      return QTR_ERR_CORRUPT;
+    }
     const qtr_cell start = qtr_policy_cell(policy, policy->board.places + region);
-    if (is_free && qtr_policy_region(policy, start) != region) return QTR_ERR_CORRUPT;
+    if (is_free && (qtr_policy_region(policy, start) != region)) {
+      return QTR_ERR_CORRUPT;
+    }
   }
   return QTR_OK;
 }
@@ -65,11 +82,18 @@ static int check_records(const qtr_policy *policy) {
   const qtr_record_shape *shape = &policy->records_shape;
   const uint8_t *record = policy->record;
   for (uint32_t r = 0; r < policy->records; r++, record += shape->bytes) {
-    if (r > 0 && record_compare(record, record - shape->bytes, shape) <= 0) return QTR_ERR_CORRUPT;
+    if ((r > 0u) && (record_compare(record, record - shape->bytes, shape) <= 0)) {
+      return QTR_ERR_CORRUPT;
+    }
     const uint16_t choice = record_choice(record, shape);
-    for (unsigned spare = (unsigned)shape->key_bytes + shape->choice_bytes; spare < shape->bytes; spare++)
-      if (record[spare] != 0) return QTR_ERR_CORRUPT;
-    if (choice >= policy->board.places && choice != QTR_STAND_DOWN) return QTR_ERR_CORRUPT;
+    for (unsigned spare = (unsigned)shape->key_bytes + shape->choice_bytes; spare < shape->bytes; spare++) {
+      if (record[spare] != 0u) {
+        return QTR_ERR_CORRUPT;
+      }
+    }
+    if ((choice >= policy->board.places) && (choice != QTR_STAND_DOWN)) {
+      return QTR_ERR_CORRUPT;
+    }
   }
   return QTR_OK;
 }
@@ -79,6 +103,8 @@ int qtr_check_sections(const qtr_policy *policy) {
   static int (*const checks[])(const qtr_policy *) = {check_place_in_world, check_padding, check_free,
                                                       check_weights,        check_regions, check_records};
   int status = QTR_OK;
-  for (unsigned i = 0; i < sizeof checks / sizeof checks[0] && status == QTR_OK; i++) status = checks[i](policy);
+  for (unsigned i = 0; (i < (sizeof checks / sizeof(checks[0]))) && (status == QTR_OK); i++) {
+    status = checks[i](policy);
+  }
   return status;
 }

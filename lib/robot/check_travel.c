@@ -9,7 +9,9 @@ static bool is_way(const qtr_policy *policy, unsigned node, unsigned place) {
 /* The first place that a node reaches; `places` if there is none. */
 static unsigned first_in_reach(const qtr_policy *policy, unsigned node) {
   unsigned place = 0;
-  while (place < policy->board.places && !is_way(policy, node, place)) place++;
+  while ((place < policy->board.places) && !is_way(policy, node, place)) {
+    place++;
+  }
   return place;
 }
 
@@ -20,8 +22,12 @@ static bool reach_agrees(const qtr_policy *policy, unsigned node) {
   const unsigned first = first_in_reach(policy, node);
   for (unsigned place = 0; place < places; place++) {
     const bool way = is_way(policy, node, place);
-    if (first < places && way != is_way(policy, first, place)) return false;
-    if (node < places && way != is_way(policy, place, node)) return false;
+    if ((first < places) && (way != is_way(policy, first, place))) {
+      return false;
+    }
+    if ((node < places) && (way != is_way(policy, place, node))) {
+      return false;
+    }
   }
   return true;
 }
@@ -31,24 +37,37 @@ static bool times_fit_cells(const qtr_policy *policy, unsigned node) {
   const unsigned places = policy->board.places;
   for (unsigned place = 0; place < places; place++) {
     const bool is_here = qtr_policy_cell(policy, node) == qtr_policy_cell(policy, place);
-    if (is_here != (qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place) == 0)) return false;
-    if (is_here && node < places && node != place) return false;
+    if (is_here != (qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place) == 0u)) {
+      return false;
+    }
+    if (is_here && (node < places) && (node != place)) {
+      return false;
+    }
   }
   return true;
 }
 
 static bool some_seeker_reaches(const qtr_policy *policy, unsigned place) {
   const qtr_board *board = &policy->board;
-  for (unsigned i = 0; i < board->seekers; i++)
-    if (qtr_board_steps(board, i, (unsigned)board->places + board->start_of[i], place) != QTR_NEVER) return true;
+  for (unsigned i = 0; i < board->seekers; i++) {
+    if (qtr_board_steps(board, i, (unsigned)board->places + board->start_of[i], place) != QTR_NEVER) {
+      return true;
+    }
+  }
   return false;
 }
 
 int qtr_check_travel(const qtr_policy *policy) {
   const unsigned places = policy->board.places;
-  for (unsigned node = 0; node < qtr_board_nodes(&policy->board); node++)
-    if (!reach_agrees(policy, node) || !times_fit_cells(policy, node)) return QTR_ERR_TRAVEL;
-  for (unsigned place = 0; place < places; place++)
-    if (!some_seeker_reaches(policy, place)) return QTR_ERR_TRAVEL;
+  for (unsigned node = 0; node < qtr_board_nodes(&policy->board); node++) {
+    if (!reach_agrees(policy, node) || !times_fit_cells(policy, node)) {
+      return QTR_ERR_TRAVEL;
+    }
+  }
+  for (unsigned place = 0; place < places; place++) {
+    if (!some_seeker_reaches(policy, place)) {
+      return QTR_ERR_TRAVEL;
+    }
+  }
   return QTR_OK;
 }

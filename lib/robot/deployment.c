@@ -13,9 +13,15 @@
  * if there is none. */
 static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
   unsigned start = 0;
-  if (qtr_grid_cost(&policy->grid, cell) == 0) return policy->board.starts;
-  if (policy->regions != NULL) return qtr_policy_region(policy, cell);
-  while (start < policy->board.starts && qtr_policy_cell(policy, policy->board.places + start) != cell) start++;
+  if (qtr_grid_cost(&policy->grid, cell) == 0u) {
+    return policy->board.starts;
+  }
+  if (policy->regions != NULL) {
+    return qtr_policy_region(policy, cell);
+  }
+  while ((start < policy->board.starts) && (qtr_policy_cell(policy, policy->board.places + start) != cell)) {
+    start++;
+  }
   return start;
 }
 
@@ -27,36 +33,53 @@ static qtr_cell home_of(const qtr_policy *policy, unsigned seeker) {
 /* All where the mission says: then they play from those very cells and not from their regions, so that what they earn is
  * what the table's certificate says. */
 static bool are_home(const qtr_policy *policy, const qtr_cell *starts) {
-  for (unsigned i = 0; starts != NULL && i < policy->board.seekers; i++)
-    if (starts[i] != home_of(policy, i)) return false;
+  for (unsigned i = 0; (starts != NULL) && (i < policy->board.seekers); i++) {
+    if (starts[i] != home_of(policy, i)) {
+      return false;
+    }
+  }
   return true;
 }
 
 void qtr_deployment_home(qtr_deployment *deployment, const qtr_policy *policy) {
-  for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++) deployment->start_of[i] = policy->board.start_of[i];
+  for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++) {
+    deployment->start_of[i] = policy->board.start_of[i];
+  }
   qtr_places_clear(&deployment->cleared);
-  for (uint32_t i = 0; policy->cleared != NULL && i < bits_size(policy->board.places); i++)
+  for (uint32_t i = 0; (policy->cleared != NULL) && (i < bits_size(policy->board.places)); i++) {
     bits_add(deployment->cleared.word, i, policy->cleared[i]);
+  }
 }
 
 /* Of the places that there are. */
 static void clear(qtr_deployment *deployment, const qtr_policy *policy, const qtr_places *cleared) {
   qtr_places_clear(&deployment->cleared);
-  for (unsigned place = 0; place < policy->board.places; place++)
-    if (qtr_places_has(cleared, place)) qtr_places_add(&deployment->cleared, place);
+  for (unsigned place = 0; place < policy->board.places; place++) {
+    if (qtr_places_has(cleared, place)) {
+      qtr_places_add(&deployment->cleared, place);
+    }
+  }
 }
 
 /* All starts are looked up before one is set: what is refused has changed nothing. */
 int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *policy, const qtr_cell *starts,
                               const qtr_places *cleared, uint32_t config_id) {
-  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  if (config_id != QTR_CONFIG_ID) {
+    return QTR_ERR_CONFIG;
+  }
   const bool home = are_home(policy, starts);
-  for (unsigned i = 0; !home && i < policy->board.seekers; i++)
-    if (start_at(policy, starts[i]) >= policy->board.starts) return QTR_ERR_START;
+  for (unsigned i = 0; !home && (i < policy->board.seekers); i++) {
+    if (start_at(policy, starts[i]) >= policy->board.starts) {
+      return QTR_ERR_START;
+    }
+  }
   qtr_deployment_home(deployment, policy);
-  for (unsigned i = 0; !home && i < policy->board.seekers; i++)
+  for (unsigned i = 0; !home && (i < policy->board.seekers); i++) {
     deployment->start_of[i] = (uint16_t)start_at(policy, starts[i]);
-  if (cleared != NULL) clear(deployment, policy, cleared);
+  }
+  if (cleared != NULL) {
+    clear(deployment, policy, cleared);
+  }
   return QTR_OK;
 }
 

@@ -11,8 +11,8 @@
 /* Eight bytes a choice, none of them of the machine's own order. */
 static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
   uint8_t line[8] = {(uint8_t)seeker, 0, 0, 0, 0, 0, 0, 0};
-  store16_le(line + 2, choice);
-  store32_le(line + 4, now);
+  store16_le(line + 2u, choice);
+  store32_le(line + 4u, now);
   return qtr_crc32_add(digest, line, sizeof line);
 }
 
@@ -31,11 +31,11 @@ static uint32_t digest_of_game(const qtr_policy *policy) {
          seeker = qtr_joint_chooser(&joint, board)) {
       const uint16_t choice = qtr_policy_choose(policy, &joint, seeker, NULL);
       digest = add(digest, seeker, choice, now);
-      qtr_joint_choose(&joint, board, seeker, choice);
+      (void)qtr_joint_choose(&joint, board, seeker, choice);
     }
     passed = qtr_joint_advance(&joint, board, NULL);
     now += passed;
-  } while (passed > 0);
+  } while (passed > 0u);
   return digest;
 }
 
@@ -61,7 +61,9 @@ static uint32_t digest_of_routes(const qtr_policy *policy) {
  * turns, travel times and the rule off the table. */
 uint32_t qtr_policy_digest(const qtr_policy *policy) {
 #if QTR_READ_FORMAT_1
-  if (policy->format == 1) return digest_of_routes(policy);
+  if (policy->format == 1) {
+    return digest_of_routes(policy);
+  }
 #endif
   return digest_of_game(policy);
 }

@@ -16,15 +16,21 @@ bool qtr_division_play(qtr_division *division, const qtr_policy *policy) {
   qtr_joint *joint = &division->joint;
   int seeker = qtr_joint_chooser(joint, &policy->board);
   while (seeker == QTR_NOBODY) {
-    if (qtr_joint_advance(joint, &policy->board, NULL) == 0) return false;
+    if (qtr_joint_advance(joint, &policy->board, NULL) == 0u) {
+      return false;
+    }
     seeker = qtr_joint_chooser(joint, &policy->board);
   }
   bool off_table = false;
   const uint16_t choice = qtr_policy_choose(policy, joint, seeker, &off_table);
   division->off_table += off_table;
-  qtr_joint_choose(joint, &policy->board, seeker, choice);
-  if (choice == QTR_STAND_DOWN) return true;
-  if (division->moves == QTR_MAX_MOVES) return false; /* only by travel times that no map gives */
+  (void)qtr_joint_choose(joint, &policy->board, seeker, choice);
+  if (choice == QTR_STAND_DOWN) {
+    return true;
+  }
+  if (division->moves == QTR_MAX_MOVES) {
+    return false; /* only by travel times that no map gives */
+  }
   division->place[division->moves] = choice;
   division->seeker[division->moves++] = (uint8_t)seeker;
   return true;

@@ -14,16 +14,22 @@ static unsigned append_digit(qtr_key *key, unsigned words, uint32_t digit, uint3
     key->word[w] = (uint32_t)(carry & 0xFFFFFFFFu);
     carry >>= 32;
   }
-  if (carry > 0) key->word[words++] = (uint32_t)carry;
+  if (carry > 0u) {
+    key->word[words++] = (uint32_t)carry;
+  }
   return words;
 }
 
 /* A whole word of bits is a base of 2^32, which moves all words up by one. A key of 0 has no words yet. */
 static unsigned append_bits(qtr_key *key, unsigned words, uint32_t value, unsigned bits) {
-  if (bits < 32) return append_digit(key, words, value, (uint32_t)1 << bits);
-  for (unsigned w = words; w > 0; w--) key->word[w] = key->word[w - 1];
+  if (bits < 32u) {
+    return append_digit(key, words, value, (uint32_t)1 << bits);
+  }
+  for (unsigned w = words; w > 0u; w--) {
+    key->word[w] = key->word[w - 1u];
+  }
   key->word[0] = value;
-  return words > 0 || value > 0 ? words + 1 : 0;
+  return ((words > 0u) || (value > 0u)) ? (words + 1u) : 0u;
 }
 
 /* ---- what a state is made of ---- */
@@ -31,23 +37,23 @@ static unsigned append_bits(qtr_key *key, unsigned words, uint32_t value, unsign
 /* A seeker that stood down is one node more, the last. */
 static unsigned append_seeker(qtr_key *key, unsigned words, const qtr_key_shape *shape, uint32_t node,
                               qtr_steps remaining) {
-  words = append_digit(key, words, node < shape->nodes ? node : shape->nodes, shape->nodes + 1u);
-  return append_digit(key, words, remaining, shape->longest + 1);
+  words = append_digit(key, words, (node < shape->nodes) ? node : shape->nodes, shape->nodes + 1u);
+  return append_digit(key, words, remaining, shape->longest + 1u);
 }
 
 /* Visited places come last: they are the digits of the lowest value, and states of one formation stand together in a
  * table. */
 static unsigned append_places(qtr_key *key, unsigned words, const qtr_key_shape *shape, const qtr_places *places) {
-  for (unsigned first = 0; first < shape->places; first += 32) {
+  for (unsigned first = 0; first < shape->places; first += 32u) {
     const unsigned left = shape->places - first;
-    words = append_bits(key, words, places->word[first / 32], left < 32 ? left : 32);
+    words = append_bits(key, words, places->word[first / 32u], (left < 32u) ? left : 32u);
   }
   return words;
 }
 
 /* Without a clock there is no digit for it, and keys are as long as if there were no such thing. */
 static unsigned append_clock(qtr_key *key, unsigned words, const qtr_key_shape *shape, qtr_steps clock) {
-  return shape->clock > 0 ? append_digit(key, words, clock, shape->clock + 1) : words;
+  return (shape->clock > 0u) ? append_digit(key, words, clock, shape->clock + 1u) : words;
 }
 
 /* Seekers of a kind are interchangeable: sorted, who is who is gone from the key. Kinds stay apart, in one order always. */
@@ -56,12 +62,14 @@ static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], const qtr_key_shape *sh
   const uint8_t *kind = shape->kind;
   for (uint8_t i = 0; i < shape->seekers; i++) {
     uint8_t at = i;
-    for (; at > 0; at--) {
-      const uint8_t before = order[at - 1];
-      const bool less = kind[i] != kind[before]   ? kind[i] < kind[before]
-                        : node[i] != node[before] ? node[i] < node[before]
-                                                  : remaining[i] < remaining[before];
-      if (!less) break;
+    for (; at > 0u; at--) {
+      const uint8_t before = order[at - 1u];
+      const bool less = (kind[i] != kind[before])   ? kind[i] < kind[before]
+                        : (node[i] != node[before]) ? node[i] < node[before]
+                                                    : (remaining[i] < remaining[before]);
+      if (!less) {
+        break;
+      }
       order[at] = before;
     }
     order[at] = i;
@@ -70,7 +78,7 @@ static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], const qtr_key_shape *sh
 
 /* Of `words` words, the others being 0. */
 static bool fits_in_bits(const qtr_key *key, unsigned words, unsigned bits) {
-  return 32 * words <= bits || (words == bits / 32 + 1 && key->word[words - 1] >> bits % 32 == 0);
+  return ((32u * words) <= bits) || ((words == ((bits / 32u) + 1u)) && ((key->word[words - 1u] >> (bits % 32u)) == 0u));
 }
 
 /* Seekers, clock and visited places: what is to come depends on nothing else, so two ways to one key are one state. */
@@ -79,13 +87,16 @@ void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *vi
   uint8_t order[QTR_MAX_SEEKERS];
   sort_seekers(order, shape, node, remaining);
   unsigned words = 0;
-  for (unsigned i = 0; i < shape->seekers; i++)
+  for (unsigned i = 0; i < shape->seekers; i++) {
     words = append_seeker(key, words, shape, node[order[i]], remaining[order[i]]);
+  }
   words = append_clock(key, words, shape, clock);
   words = append_places(key, words, shape, visited);
   /* No key is greater than the one that was measured: the bits above it are the Q-table's. */
-  QTR_ASSERT(words <= shape->words && fits_in_bits(key, words, shape->bits));
-  while (words < shape->words) key->word[words++] = 0;
+  QTR_ASSERT((words <= shape->words) && fits_in_bits(key, words, shape->bits));
+  while (words < shape->words) {
+    key->word[words++] = 0;
+  }
 }
 
 /* The key is greatest where every digit is, for it is monotone in each. */
@@ -93,15 +104,23 @@ void qtr_key_measure(qtr_key_shape *shape) {
   qtr_key key;
   qtr_places all;
   unsigned words = 0;
-  for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) all.word[w] = UINT32_MAX;
-  if (shape->places % 32 != 0) all.word[shape->places / 32] = ((uint32_t)1 << shape->places % 32) - 1;
-  for (unsigned i = 0; i < shape->seekers; i++) words = append_seeker(&key, words, shape, shape->nodes, shape->longest);
+  for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) {
+    all.word[w] = UINT32_MAX;
+  }
+  if ((shape->places % 32u) != 0u) {
+    all.word[shape->places / 32u] = ((uint32_t)1 << (shape->places % 32u)) - 1u;
+  }
+  for (unsigned i = 0; i < shape->seekers; i++) {
+    words = append_seeker(&key, words, shape, shape->nodes, shape->longest);
+  }
   words = append_clock(&key, words, shape, shape->clock);
   words = append_places(&key, words, shape, &all);
   /* The greatest key is that of all places visited by seekers that have stood down, so it is not 0. */
-  QTR_ASSERT(words > 0 && words <= QTR_KEY_WORDS);
-  unsigned bits = 32 * words;
-  for (uint32_t top = key.word[words - 1]; (top & 0x80000000u) == 0; top <<= 1) bits--;
+  QTR_ASSERT((words > 0u) && (words <= QTR_KEY_WORDS));
+  unsigned bits = 32u * words;
+  for (uint32_t top = key.word[words - 1u]; (top & 0x80000000u) == 0u; top <<= 1) {
+    bits--;
+  }
   shape->bits = (uint16_t)bits;
   shape->words = (uint8_t)words;
 }

@@ -94,7 +94,7 @@ typedef struct {
 
 /* Bytes that a cell's index takes. */
 static inline uint8_t cell_bytes_of(unsigned format, uint32_t cells) {
-  return format == 1 || cells > 65536u ? 4 : 2;
+  return ((format == 1u) || (cells > 65536u)) ? 4 : 2;
 }
 
 typedef struct {
@@ -109,21 +109,26 @@ void qtr_layout_find(table_layout *layout, const table_dimensions *dimensions);
 
 /* Format 1 has whole words, and 2 bytes of 0 at the end; since then a key and a choice take the bytes that they need. */
 static inline qtr_record_shape record_shape_of(unsigned format, const qtr_board *board) {
-  const unsigned key_bytes = format == 1 ? 4u * board->keys.words : (board->keys.bits + 7u) / 8u;
-  const unsigned choice_bytes = format != 1 && board->places < 255 ? 1u : 2u;
-  const unsigned bytes = key_bytes + (format == 1 ? 4u : choice_bytes);
+  const unsigned key_bytes = (format == 1u) ? (4u * board->keys.words) : ((board->keys.bits + 7u) / 8u);
+  const unsigned choice_bytes = ((format != 1u) && (board->places < 255u)) ? 1u : 2u;
+  const unsigned bytes = key_bytes + ((format == 1u) ? 4u : choice_bytes);
   return (qtr_record_shape){(uint8_t)key_bytes, (uint8_t)choice_bytes, (uint8_t)bytes};
 }
 
 static inline uint16_t record_choice(const uint8_t *record, const qtr_record_shape *shape) {
-  if (shape->choice_bytes == 2) return (uint16_t)load16_le(record + shape->key_bytes);
-  return record[shape->key_bytes] == 0xFFu ? QTR_STAND_DOWN : record[shape->key_bytes];
+  if (shape->choice_bytes == 2u) {
+    return (uint16_t)load16_le(record + shape->key_bytes);
+  }
+  return (record[shape->key_bytes] == 0xFFu) ? QTR_STAND_DOWN : record[shape->key_bytes];
 }
 
 /* Below 0, 0 or above 0, as record `a`'s key is less than, equal to or greater than `b`'s. */
 static inline int record_compare(const uint8_t *a, const uint8_t *b, const qtr_record_shape *shape) {
-  for (unsigned i = shape->key_bytes; i-- > 0;)
-    if (a[i] != b[i]) return a[i] < b[i] ? -1 : 1;
+  for (unsigned i = shape->key_bytes; i-- > 0u;) {
+    if (a[i] != b[i]) {
+      return (a[i] < b[i]) ? -1 : 1;
+    }
+  }
   return 0;
 }
 

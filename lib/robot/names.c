@@ -14,33 +14,39 @@ enum { MAGIC = 4, VERSION = 1, SIZE_AT = 8, CRC_AT = 12, HEAD = 16, ENTRY = 4, M
 /* A name that is cut would be another name: one that is too long is left out whole. */
 uint32_t qtr_names_size(const char *mission) {
   uint32_t length = 0;
-  while (length < QTR_NAME_BYTES && mission[length] != '\0') length++;
-  return length == 0 || length >= QTR_NAME_BYTES ? 0 : HEAD + ENTRY + length;
+  while ((length < QTR_NAME_BYTES) && (mission[length] != '\0')) {
+    length++;
+  }
+  return ((length == 0u) || (length >= QTR_NAME_BYTES)) ? 0 : (HEAD + ENTRY + length);
 }
 
 /* The sum is over the entries, so that a torn write behind the table is seen without a look at the table. */
 void qtr_names_write(uint8_t *bytes, const char *mission) {
   const uint32_t size = qtr_names_size(mission);
-  if (size == 0) return;
+  if (size == 0u) {
+    return;
+  }
   bytes_clear(bytes, HEAD);
   bytes_copy(bytes, "QTRH", MAGIC);
   store16_le(bytes + MAGIC, VERSION);
   store32_le(bytes + SIZE_AT, size);
   store16_le(bytes + HEAD, MISSION_NAME);
-  store16_le(bytes + HEAD + 2, size - HEAD - ENTRY);
+  store16_le(bytes + HEAD + 2u, size - HEAD - ENTRY);
   bytes_copy(bytes + HEAD + ENTRY, mission, size - HEAD - ENTRY);
   store32_le(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
 /* Sizes must agree to the byte: behind the names nothing more is kept. */
 static bool is_whole(const uint8_t *bytes, uint32_t size) {
-  return size >= HEAD && bytes_begin(bytes, "QTRH") && load32_le(bytes + SIZE_AT) == size &&
-         load32_le(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD);
+  return (size >= HEAD) && bytes_begin(bytes, "QTRH") && (load32_le(bytes + SIZE_AT) == size) &&
+         (load32_le(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
 /* Into an array of QTR_NAME_BYTES. */
 static void take(char *mission, uint32_t what, const uint8_t *text, uint32_t length) {
-  if (what != MISSION_NAME || length >= QTR_NAME_BYTES) return;
+  if ((what != MISSION_NAME) || (length >= QTR_NAME_BYTES)) {
+    return;
+  }
   bytes_copy(mission, text, length);
   mission[length] = '\0';
 }
@@ -48,11 +54,17 @@ static void take(char *mission, uint32_t what, const uint8_t *text, uint32_t len
 /* Each length is held against what is left before it is used, so that no bytes lead outside. */
 int qtr_names_read(char *mission, const uint8_t *bytes, uint32_t size) {
   mission[0] = '\0';
-  if (size == 0) return QTR_OK;
-  if (!is_whole(bytes, size)) return QTR_ERR_CORRUPT;
+  if (size == 0u) {
+    return QTR_OK;
+  }
+  if (!is_whole(bytes, size)) {
+    return QTR_ERR_CORRUPT;
+  }
   for (uint32_t at = HEAD; at < size;) {
-    if (size - at < ENTRY || load16_le(bytes + at + 2) > size - at - ENTRY) return QTR_ERR_CORRUPT;
-    const uint32_t length = load16_le(bytes + at + 2);
+    if (((size - at) < ENTRY) || (load16_le(bytes + at + 2u) > (size - at - ENTRY))) {
+      return QTR_ERR_CORRUPT;
+    }
+    const uint32_t length = load16_le(bytes + at + 2u);
     take(mission, load16_le(bytes + at), bytes + at + ENTRY, length);
     at += ENTRY + length;
   }

@@ -11,25 +11,37 @@
 
 /* Bytes of a format's header; 0 for a format that this build does not read. */
 static uint32_t header_bytes_of(uint32_t format) {
-  if (QTR_READ_FORMAT_1 && format == 1) return QTR_POLICY_HEADER_1;
-  return format == QTR_POLICY_FORMAT ? QTR_POLICY_HEADER_BYTES : 0;
+  if (QTR_READ_FORMAT_1 && (format == 1u)) {
+    return QTR_POLICY_HEADER_1;
+  }
+  return (format == QTR_POLICY_FORMAT) ? QTR_POLICY_HEADER_BYTES : 0;
 }
 
 /* Of `size` bytes that are there, `header` being those of a header in the table's format. */
 static int check_size(const qtr_policy *policy, uint32_t size, uint32_t header) {
-  if (header == 0) return QTR_ERR_FORMAT;
-  if (size < header || policy->size > size) return QTR_ERR_TRUNCATED;
-  const bool may_go_on = policy->format != 1; /* with what a host keeps there */
-  const bool agrees = policy->size >= header && (may_go_on || policy->size == size);
-  return agrees && load16_le(policy->bytes + QTR_POLICY_HEADER) == header ? QTR_OK : QTR_ERR_CORRUPT;
+  if (header == 0u) {
+    return QTR_ERR_FORMAT;
+  }
+  if ((size < header) || (policy->size > size)) {
+    return QTR_ERR_TRUNCATED;
+  }
+  const bool may_go_on = policy->format != 1u; /* with what a host keeps there */
+  const bool agrees = (policy->size >= header) && (may_go_on || (policy->size == size));
+  return (agrees && (load16_le(policy->bytes + QTR_POLICY_HEADER) == header)) ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* The bytes are all there: sets where they lie, how many, and in which format. */
 static int check_frame(qtr_policy *policy, const uint8_t *bytes, uint32_t size) {
   policy->bytes = bytes;
-  if (size < QTR_POLICY_VERSION) return QTR_ERR_TRUNCATED;
-  if (!bytes_begin(bytes, QTR_POLICY_MAGIC_BYTES)) return QTR_ERR_MAGIC;
-  if (size < QTR_POLICY_COLUMNS) return QTR_ERR_TRUNCATED;
+  if (size < QTR_POLICY_VERSION) {
+    return QTR_ERR_TRUNCATED;
+  }
+  if (!bytes_begin(bytes, QTR_POLICY_MAGIC_BYTES)) {
+    return QTR_ERR_MAGIC;
+  }
+  if (size < QTR_POLICY_COLUMNS) {
+    return QTR_ERR_TRUNCATED;
+  }
   policy->format = (uint8_t)load16_le(bytes + QTR_POLICY_VERSION);
   policy->size = load32_le(bytes + QTR_POLICY_SIZE);
   return check_size(policy, size, header_bytes_of(load16_le(bytes + QTR_POLICY_VERSION)));
@@ -39,13 +51,13 @@ static int check_frame(qtr_policy *policy, const uint8_t *bytes, uint32_t size) 
 static int check_sum(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   const uint32_t crc = qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, policy->size - QTR_POLICY_COLUMNS);
-  return crc == load32_le(bytes + QTR_POLICY_CRC) ? QTR_OK : QTR_ERR_CHECKSUM;
+  return (crc == load32_le(bytes + QTR_POLICY_CRC)) ? QTR_OK : QTR_ERR_CHECKSUM;
 }
 
 /* A map of format 1 was never turned: those bytes were no part of its header. */
 static void read_frame(qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
-  const bool can_turn = policy->format != 1;
+  const bool can_turn = policy->format != 1u;
   policy->frame.cell_size_um = load32_le(bytes + QTR_POLICY_CELL_SIZE);
   policy->frame.origin_x_um = (int64_t)load64_le(bytes + QTR_POLICY_ORIGIN_X);
   policy->frame.origin_y_um = (int64_t)load64_le(bytes + QTR_POLICY_ORIGIN_Y);
@@ -65,35 +77,46 @@ static int read_dimensions(qtr_policy *policy) {
   policy->board.starts = (uint16_t)load16_le(bytes + QTR_POLICY_STARTS);
   policy->board.rule = bytes[QTR_POLICY_RULE];
   policy->records = load32_le(bytes + QTR_POLICY_RECORDS);
-  policy->board.step_bytes = policy->format == 1 ? 4 : bytes[QTR_POLICY_STEP_BYTES];
+  policy->board.step_bytes = (policy->format == 1u) ? 4 : bytes[QTR_POLICY_STEP_BYTES];
   const uint32_t cells = qtr_grid_cells(&policy->grid);
-  if (cells == 0 || policy->board.places == 0 || policy->board.seekers == 0) return QTR_ERR_CORRUPT;
-  if (policy->board.starts == 0 || policy->board.starts > QTR_MAX_STARTS) return QTR_ERR_CORRUPT;
-  if (cells > QTR_MAX_CELLS || policy->board.places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
+  if ((cells == 0u) || (policy->board.places == 0u) || (policy->board.seekers == 0u)) {
+    return QTR_ERR_CORRUPT;
+  }
+  if ((policy->board.starts == 0u) || (policy->board.starts > QTR_MAX_STARTS)) {
+    return QTR_ERR_CORRUPT;
+  }
+  if ((cells > QTR_MAX_CELLS) || (policy->board.places > QTR_MAX_PLACES)) {
+    return QTR_ERR_LIMIT;
+  }
   policy->cell_bytes = cell_bytes_of(policy->format, cells);
-  return policy->board.seekers > QTR_MAX_SEEKERS ? QTR_ERR_LIMIT : QTR_OK;
+  return (policy->board.seekers > QTR_MAX_SEEKERS) ? QTR_ERR_LIMIT : QTR_OK;
 }
 
 /* Of a format 1 header these are bytes of 0 that mean nothing. */
 static bool spare_is_clear(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
-  if (policy->format == 1)
-    return bytes[QTR_POLICY_STEP_BYTES] == 0 && load32_le(bytes + QTR_POLICY_FEATURES) == 0 &&
-           load32_le(bytes + QTR_POLICY_STEP_TIME) == 0;
-  for (unsigned at = QTR_POLICY_SPARE; at < QTR_POLICY_HEADER_BYTES; at++)
-    if (bytes[at] != 0) return false;
+  if (policy->format == 1u) {
+    return (bytes[QTR_POLICY_STEP_BYTES] == 0u) && (load32_le(bytes + QTR_POLICY_FEATURES) == 0u) &&
+           (load32_le(bytes + QTR_POLICY_STEP_TIME) == 0u);
+  }
+  for (unsigned at = QTR_POLICY_SPARE; at < QTR_POLICY_HEADER_BYTES; at++) {
+    if (bytes[at] != 0u) {
+      return false;
+    }
+  }
   return true;
 }
 
 /* Words that this version has no meaning for are refused, not taken for the nearest one it knows. */
 static int check_words(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
-  const bool known = bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER && qtr_claim_knows(bytes[QTR_POLICY_OBJECTIVE]) &&
-                     bytes[QTR_POLICY_CERTIFIED] <= 1 && bytes[QTR_POLICY_ANY_START] <= 1 &&
-                     bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES;
-  if (policy->format != 1 && (load32_le(bytes + QTR_POLICY_FEATURES) & ~(uint32_t)QTR_FEATURES) != 0)
+  const bool known = (bytes[QTR_POLICY_RULE] <= QTR_RULE_PAPER) && qtr_claim_knows(bytes[QTR_POLICY_OBJECTIVE]) &&
+                     (bytes[QTR_POLICY_CERTIFIED] <= 1u) && (bytes[QTR_POLICY_ANY_START] <= 1u) &&
+                     (bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES);
+  if ((policy->format != 1u) && ((load32_le(bytes + QTR_POLICY_FEATURES) & ~(uint32_t)QTR_FEATURES) != 0u)) {
     return QTR_ERR_FORMAT; /* of a later version: it cannot be played without */
-  return known && spare_is_clear(policy) ? QTR_OK : QTR_ERR_CORRUPT;
+  }
+  return (known && spare_is_clear(policy)) ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* Sizes are worked out of these alone, by the function that the writer lays its table out with. */
@@ -108,7 +131,7 @@ static table_dimensions dimensions_of(const qtr_policy *policy, uint32_t records
                                        .step_bytes = policy->board.step_bytes,
                                        .record_bytes = policy->records_shape.bytes,
                                        .grid_encoding = policy->grid.encoding,
-                                       .any_start = policy->bytes[QTR_POLICY_ANY_START] != 0};
+                                       .any_start = policy->bytes[QTR_POLICY_ANY_START] != 0u};
   return dimensions;
 }
 
@@ -118,13 +141,17 @@ static int read_board(qtr_policy *policy) {
   qtr_board *board = &policy->board;
   table_layout layout;
   qtr_layout_find(&layout, &dimensions);
-  if (layout.end > policy->size) return QTR_ERR_CORRUPT;
+  if (layout.end > policy->size) {
+    return QTR_ERR_CORRUPT;
+  }
   qtr_board_load_seats(board, policy->bytes + layout.at[SECTION_SEATS]);
   policy->cells = policy->bytes + layout.at[SECTION_CELLS];
   policy->weights = policy->bytes + layout.at[SECTION_WEIGHTS];
   board->steps = policy->bytes + layout.at[SECTION_TRAVEL];
-  if (qtr_board_init(board) != QTR_OK) return QTR_ERR_CORRUPT;
-  return board->keys.words == policy->bytes[QTR_POLICY_KEY_WORDS] ? QTR_OK : QTR_ERR_SELFTEST;
+  if (qtr_board_init(board) != QTR_OK) {
+    return QTR_ERR_CORRUPT;
+  }
+  return (board->keys.words == policy->bytes[QTR_POLICY_KEY_WORDS]) ? QTR_OK : QTR_ERR_SELFTEST;
 }
 
 /* The table must end where its last section does: no byte is left that nobody answers for. */
@@ -133,27 +160,44 @@ static int find_the_rest(qtr_policy *policy) {
   const table_dimensions dimensions = dimensions_of(policy, policy->records);
   table_layout layout;
   qtr_layout_find(&layout, &dimensions);
-  if (layout.end != policy->size) return QTR_ERR_CORRUPT;
+  if (layout.end != policy->size) {
+    return QTR_ERR_CORRUPT;
+  }
   policy->record = policy->bytes + layout.at[SECTION_RECORDS];
   policy->grid.cells = policy->bytes + layout.at[SECTION_GRID];
-  policy->regions = dimensions.any_start ? policy->bytes + layout.at[SECTION_REGIONS] : NULL;
+  policy->regions = dimensions.any_start ? (policy->bytes + layout.at[SECTION_REGIONS]) : NULL;
   policy->cleared =
-      (dimensions.features & QTR_FEATURE_CLEARED) != 0 ? policy->bytes + layout.at[SECTION_CLEARED] : NULL;
+      ((dimensions.features & QTR_FEATURE_CLEARED) != 0u) ? (policy->bytes + layout.at[SECTION_CLEARED]) : NULL;
   return QTR_OK;
 }
 
 /* From the outside in: nothing is read before what says that it is there, and the game is played last, over numbers that
  * are in their ranges. */
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id) {
-  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  if (config_id != QTR_CONFIG_ID) {
+    return QTR_ERR_CONFIG;
+  }
   int status = check_frame(policy, (const uint8_t *)bytes, size);
-  if (status == QTR_OK) status = check_sum(policy);
-  if (status == QTR_OK) status = check_words(policy);
-  if (status == QTR_OK) status = read_dimensions(policy);
-  if (status == QTR_OK) status = read_board(policy);
-  if (status == QTR_OK) status = find_the_rest(policy);
-  if (status == QTR_OK) status = qtr_check_nodes(policy);
-  if (status == QTR_OK && qtr_policy_digest(policy) != load32_le(policy->bytes + QTR_POLICY_DIGEST))
+  if (status == QTR_OK) {
+    status = check_sum(policy);
+  }
+  if (status == QTR_OK) {
+    status = check_words(policy);
+  }
+  if (status == QTR_OK) {
+    status = read_dimensions(policy);
+  }
+  if (status == QTR_OK) {
+    status = read_board(policy);
+  }
+  if (status == QTR_OK) {
+    status = find_the_rest(policy);
+  }
+  if (status == QTR_OK) {
+    status = qtr_check_nodes(policy);
+  }
+  if ((status == QTR_OK) && (qtr_policy_digest(policy) != load32_le(policy->bytes + QTR_POLICY_DIGEST))) {
     status = QTR_ERR_SELFTEST;
+  }
   return status;
 }

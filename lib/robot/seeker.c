@@ -6,15 +6,15 @@
 #include "quarter/status.h"
 
 static bool set_has(const qtr_seeker_set *set, unsigned seeker) {
-  return ((set->word[seeker / 32] >> (seeker % 32)) & 1u) != 0;
+  return ((set->word[seeker / 32u] >> (seeker % 32u)) & 1u) != 0u;
 }
 
 static void set_add(qtr_seeker_set *set, unsigned seeker) {
-  set->word[seeker / 32] |= (uint32_t)1 << (seeker % 32);
+  set->word[seeker / 32u] |= (uint32_t)1 << (seeker % 32u);
 }
 
 static void set_remove(qtr_seeker_set *set, unsigned seeker) {
-  set->word[seeker / 32] &= ~((uint32_t)1 << (seeker % 32));
+  set->word[seeker / 32u] &= ~((uint32_t)1 << (seeker % 32u));
 }
 
 static unsigned seekers_of(const qtr_seeker *seeker) {
@@ -24,16 +24,21 @@ static unsigned seekers_of(const qtr_seeker *seeker) {
 /* The deployment is copied: all seekers of a search have equal ones, and nobody can change one under way. */
 int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_deployment *deployment,
                           uint32_t run, uint32_t config_id) {
-  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  if (self >= policy->board.seekers) return QTR_ERR_ARGUMENT;
+  if (config_id != QTR_CONFIG_ID) {
+    return QTR_ERR_CONFIG;
+  }
+  if (self >= policy->board.seekers) {
+    return QTR_ERR_ARGUMENT;
+  }
   bytes_clear(seeker, sizeof *seeker);
   seeker->policy = policy;
   seeker->self = (uint8_t)self;
   seeker->run = run;
-  if (deployment == NULL)
+  if (deployment == NULL) {
     qtr_deployment_home(&seeker->deployment, policy);
-  else
+  } else {
     seeker->deployment = *deployment;
+  }
   seeker->identity = qtr_deployment_identity(&seeker->deployment, policy);
   qtr_division_begin(&seeker->division, policy, &seeker->deployment);
   return QTR_OK;
@@ -48,10 +53,15 @@ static void find_finished(qtr_seeker *seeker, bool is_first) {
   const qtr_division *division = &seeker->division;
   qtr_seeker_set open;
   bytes_clear(&open, sizeof open);
-  for (unsigned i = 0; i < division->moves; i++)
-    if (!qtr_places_has(&seeker->visited, division->place[i])) set_add(&open, division->seeker[i]);
+  for (unsigned i = 0; i < division->moves; i++) {
+    if (!qtr_places_has(&seeker->visited, division->place[i])) {
+      set_add(&open, division->seeker[i]);
+    }
+  }
   for (unsigned t = 0; t < seekers_of(seeker); t++) {
-    if (set_has(&open, t) || (set_has(&seeker->done, t) && !is_first)) continue;
+    if (set_has(&open, t) || (set_has(&seeker->done, t) && !is_first)) {
+      continue;
+    }
     set_add(&seeker->done, t);
     set_add(&seeker->unsaid, t);
   }
@@ -59,8 +69,12 @@ static void find_finished(qtr_seeker *seeker, bool is_first) {
 
 /* The first time round tells what is done already: territories without a place, and what a save said. */
 bool qtr_seeker_plan(qtr_seeker *seeker) {
-  if (seeker->divided) return false;
-  if (qtr_division_play(&seeker->division, seeker->policy)) return true;
+  if (seeker->divided) {
+    return false;
+  }
+  if (qtr_division_play(&seeker->division, seeker->policy)) {
+    return true;
+  }
   seeker->divided = true;
   find_finished(seeker, true);
   return false;
@@ -76,7 +90,9 @@ static bool is_in_reach(const qtr_seeker *seeker, unsigned place) {
 
 /* A place may be blocked and visited, by one who got there all the same: then it is visited. */
 static bool is_to_try(const qtr_seeker *seeker, unsigned place) {
-  if (qtr_places_has(&seeker->visited, place) || qtr_places_has(&seeker->blocked, place)) return false;
+  if (qtr_places_has(&seeker->visited, place) || qtr_places_has(&seeker->blocked, place)) {
+    return false;
+  }
   return (!seeker->last_round || qtr_places_has(&seeker->retry, place)) && is_in_reach(seeker, place);
 }
 
@@ -85,8 +101,10 @@ static bool is_to_try(const qtr_seeker *seeker, unsigned place) {
 static uint16_t next_on_route(const qtr_seeker *seeker, unsigned territory, bool backwards) {
   const qtr_division *division = &seeker->division;
   for (unsigned n = 0; n < division->moves; n++) {
-    const unsigned i = backwards ? division->moves - 1u - n : n;
-    if (division->seeker[i] == territory && is_to_try(seeker, division->place[i])) return division->place[i];
+    const unsigned i = backwards ? (division->moves - 1u - n) : n;
+    if ((division->seeker[i] == territory) && is_to_try(seeker, division->place[i])) {
+      return division->place[i];
+    }
   }
   return QTR_STAND_DOWN;
 }
@@ -97,19 +115,27 @@ static bool find_target(qtr_seeker *seeker, bool of_the_lost) {
   const unsigned seekers = seekers_of(seeker);
   for (unsigned pass = 0; pass < seekers; pass++) {
     const unsigned next = seeker->self + pass;
-    const unsigned territory = next < seekers ? next : next - seekers;
-    if (set_has(&seeker->done, territory)) continue;
-    if (pass > 0 && set_has(&seeker->lost, territory) != of_the_lost) continue;
-    seeker->target = next_on_route(seeker, territory, pass % 2 == 1);
+    const unsigned territory = (next < seekers) ? next : (next - seekers);
+    if (set_has(&seeker->done, territory)) {
+      continue;
+    }
+    if ((pass > 0u) && (set_has(&seeker->lost, territory) != of_the_lost)) {
+      continue;
+    }
+    seeker->target = next_on_route(seeker, territory, (pass % 2u) == 1u);
     seeker->territory = (uint8_t)territory;
-    if (seeker->target != QTR_STAND_DOWN) return true;
+    if (seeker->target != QTR_STAND_DOWN) {
+      return true;
+    }
   }
   return false;
 }
 
 /* All has been tried: what was blocked is tried once more. */
 static bool begin_last_round(qtr_seeker *seeker) {
-  if (seeker->last_round) return false;
+  if (seeker->last_round) {
+    return false;
+  }
   seeker->last_round = true;
   seeker->retry = seeker->blocked;
   qtr_places_clear(&seeker->blocked);
@@ -119,14 +145,20 @@ static bool begin_last_round(qtr_seeker *seeker) {
 /* Target and territory follow from what is known now, and from nothing else: so it does not matter in which order it became
  * known, nor whether there was a reset in between. */
 static void settle(qtr_seeker *seeker) {
-  if (seeker->settled) return;
+  if (seeker->settled) {
+    return;
+  }
   while (qtr_seeker_plan(seeker)) {}
   seeker->settled = true;
   seeker->target = QTR_STAND_DOWN;
   seeker->territory = seeker->self;
-  if (seeker->found) return;
+  if (seeker->found) {
+    return;
+  }
   do {
-    if (find_target(seeker, true) || find_target(seeker, false)) return;
+    if (find_target(seeker, true) || find_target(seeker, false)) {
+      return;
+    }
   } while (begin_last_round(seeker));
   seeker->territory = seeker->self;
 }
@@ -134,15 +166,21 @@ static void settle(qtr_seeker *seeker) {
 /* ---- what a robot is told ---- */
 
 void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
-  if (place >= seeker->policy->board.places || qtr_places_has(&seeker->visited, place)) return;
+  if ((place >= seeker->policy->board.places) || qtr_places_has(&seeker->visited, place)) {
+    return;
+  }
   qtr_places_add(&seeker->visited, place);
   seeker->settled = false;
-  if (seeker->divided) find_finished(seeker, false);
+  if (seeker->divided) {
+    find_finished(seeker, false);
+  }
 }
 
 /* Not taken back on a later visit: is_to_try() asks for visits first. */
 void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
-  if (place >= seeker->policy->board.places || qtr_places_has(&seeker->visited, place)) return;
+  if ((place >= seeker->policy->board.places) || qtr_places_has(&seeker->visited, place)) {
+    return;
+  }
   qtr_places_add(&seeker->blocked, place);
   seeker->settled = false;
 }
@@ -158,13 +196,17 @@ void qtr_seeker_found(qtr_seeker *seeker) {
  * strangers stays at its greatest, where wrapping around would make it look well. */
 bool qtr_seeker_hear(qtr_seeker *seeker, const qtr_signal *signal) {
   const bool is_found = signal->kind == QTR_SIGNAL_FOUND;
-  const bool is_done = signal->kind == QTR_SIGNAL_TERRITORY_DONE && signal->territory < seekers_of(seeker);
-  if (signal->identity != seeker->identity || signal->run != seeker->run) {
+  const bool is_done = (signal->kind == QTR_SIGNAL_TERRITORY_DONE) && (signal->territory < seekers_of(seeker));
+  if ((signal->identity != seeker->identity) || (signal->run != seeker->run)) {
     seeker->foreign += seeker->foreign < UINT32_MAX;
     return false;
   }
-  if (is_found) seeker->found = true;
-  if (is_done) set_add(&seeker->done, signal->territory);
+  if (is_found) {
+    seeker->found = true;
+  }
+  if (is_done) {
+    set_add(&seeker->done, signal->territory);
+  }
   seeker->settled = seeker->settled && !is_found && !is_done;
   return is_found || is_done;
 }
@@ -172,7 +214,9 @@ bool qtr_seeker_hear(qtr_seeker *seeker, const qtr_signal *signal) {
 /* It moves no territory and takes no place away, so a seeker that is called lost by mistake costs ways, and never a
  * place. */
 void qtr_seeker_lost(qtr_seeker *seeker, unsigned who) {
-  if (who >= seekers_of(seeker)) return;
+  if (who >= seekers_of(seeker)) {
+    return;
+  }
   set_add(&seeker->lost, who);
   seeker->settled = false;
 }
@@ -188,10 +232,14 @@ uint16_t qtr_seeker_target(qtr_seeker *seeker) {
 /* Ends, for each time round a place is blocked, and on the last round it stays so: twice round all places at most. */
 bool qtr_seeker_field_built(qtr_seeker *seeker, qtr_field *field, qtr_cell here, uint32_t config_id) {
   const qtr_grid *grid = &seeker->policy->grid;
-  if (config_id != QTR_CONFIG_ID || qtr_grid_cost(grid, here) == 0) return false;
+  if ((config_id != QTR_CONFIG_ID) || (qtr_grid_cost(grid, here) == 0u)) {
+    return false;
+  }
   while (qtr_seeker_target(seeker) != QTR_STAND_DOWN) {
     const int status = qtr_field_fill(field, grid, qtr_policy_cell(seeker->policy, seeker->target));
-    if (status == QTR_OK && qtr_field_next(field, grid, here) != QTR_NO_CELL) return true;
+    if ((status == QTR_OK) && (qtr_field_next(field, grid, here) != QTR_NO_CELL)) {
+      return true;
+    }
     qtr_seeker_blocked(seeker, seeker->target);
   }
   return false;
@@ -211,7 +259,9 @@ bool qtr_seeker_announce(qtr_seeker *seeker, qtr_signal *signal) {
     return true;
   }
   for (unsigned t = 0; t < seekers_of(seeker); t++) {
-    if (!set_has(&seeker->unsaid, t)) continue;
+    if (!set_has(&seeker->unsaid, t)) {
+      continue;
+    }
     set_remove(&seeker->unsaid, t);
     *signal = signal_of(seeker, QTR_SIGNAL_TERRITORY_DONE, t);
     return true;
@@ -223,12 +273,18 @@ bool qtr_seeker_announce(qtr_seeker *seeker, qtr_signal *signal) {
 bool qtr_seeker_known(const qtr_seeker *seeker, unsigned index, qtr_signal *signal) {
   if (seeker->found) {
     *signal = signal_of(seeker, QTR_SIGNAL_FOUND, 0);
-    if (index-- == 0) return true;
+    if (index-- == 0u) {
+      return true;
+    }
   }
   for (unsigned t = 0; t < seekers_of(seeker); t++) {
-    if (!set_has(&seeker->done, t)) continue;
+    if (!set_has(&seeker->done, t)) {
+      continue;
+    }
     *signal = signal_of(seeker, QTR_SIGNAL_TERRITORY_DONE, t);
-    if (index-- == 0) return true;
+    if (index-- == 0u) {
+      return true;
+    }
   }
   return false;
 }
@@ -236,10 +292,17 @@ bool qtr_seeker_known(const qtr_seeker *seeker, unsigned index, qtr_signal *sign
 /* Without a find, all territories done is the one good reason to stand; else what is left is out of reach, or blocked. */
 enum qtr_standing qtr_seeker_standing(qtr_seeker *seeker) {
   settle(seeker);
-  if (seeker->target != QTR_STAND_DOWN) return QTR_UNDER_WAY;
-  if (seeker->found) return QTR_STANDS_FOUND;
-  for (unsigned t = 0; t < seekers_of(seeker); t++)
-    if (!set_has(&seeker->done, t)) return QTR_STANDS_BLOCKED;
+  if (seeker->target != QTR_STAND_DOWN) {
+    return QTR_UNDER_WAY;
+  }
+  if (seeker->found) {
+    return QTR_STANDS_FOUND;
+  }
+  for (unsigned t = 0; t < seekers_of(seeker); t++) {
+    if (!set_has(&seeker->done, t)) {
+      return QTR_STANDS_BLOCKED;
+    }
+  }
   return QTR_STANDS_DONE;
 }
 
@@ -257,12 +320,16 @@ unsigned qtr_seeker_left(qtr_seeker *seeker, qtr_places *left) {
   qtr_places_clear(&unscanned);
   for (unsigned i = 0; i < division->moves; i++) {
     const unsigned place = division->place[i];
-    if (set_has(&seeker->done, division->seeker[i]) || qtr_places_has(&seeker->visited, place)) continue;
+    if (set_has(&seeker->done, division->seeker[i]) || qtr_places_has(&seeker->visited, place)) {
+      continue;
+    }
     /* By the paper's rule two seekers may be bound for one place. */
-    count += !qtr_places_has(&unscanned, place);
+    count += qtr_places_has(&unscanned, place) ? 0u : 1u;
     qtr_places_add(&unscanned, place);
   }
-  if (left != NULL) *left = unscanned;
+  if (left != NULL) {
+    *left = unscanned;
+  }
   return count;
 }
 
