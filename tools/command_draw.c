@@ -193,7 +193,7 @@ static int from_table(sheet *s, const table *t, fault *why) {
     s->cost[on_map(t, (qtr_cell)cell)] = (uint8_t)qtr_grid_cost(&policy->grid, (qtr_cell)cell);
   s->d.columns = t->claim.map_columns;
   s->d.rows = t->claim.map_rows;
-  s->d.cell_size = policy->frame.cell_size_um / 1e6;
+  s->d.cell_size = qtr_policy_frame(policy).cell_size_um / 1e6;
   s->d.places = policy->board.places;
   for (unsigned place = 0; place < policy->board.places; place++) {
     s->place[place] = on_map(t, qtr_policy_cell(policy, place));

@@ -119,12 +119,12 @@ static void write_json(FILE *out, const void *what) {
   json_string(&j, "identity", identity_of(t).text);
   json_integer(&j, "columns", t->claim.map_columns);
   json_integer(&j, "rows", t->claim.map_rows);
-  if (t->policy.frame.cell_size_um > 0) {
-    json_number(&j, "cell_size", t->policy.frame.cell_size_um / 1e6);
+  const qtr_frame frame = qtr_policy_frame(&t->policy);
+  if (frame.cell_size_um > 0) {
+    json_number(&j, "cell_size", frame.cell_size_um / 1e6);
     json_number(&j, "origin_x", x);
     json_number(&j, "origin_y", y);
-    if (t->policy.frame.sine != 0 || t->policy.frame.cosine < 0)
-      json_number(&j, "yaw", round(1e8 * atan2(t->policy.frame.sine, t->policy.frame.cosine)) / 1e8);
+    if (frame.sine != 0 || frame.cosine < 0) json_number(&j, "yaw", round(1e8 * atan2(frame.sine, frame.cosine)) / 1e8);
   }
   json_integer(&j, "places", t->policy.board.places);
   json_integer(&j, "robots", t->policy.board.seekers);

@@ -18,18 +18,22 @@ typedef struct {
   double cosine, sine, turn; /* of the grid against the map frame, counter-clockwise; radians */
 } ground;
 
-static inline ground ground_of(const qtr_policy *policy) {
-  const qtr_frame *frame = &policy->frame;
+static inline ground ground_in(const qtr_grid *grid, const qtr_frame *frame) {
   const bool metric = frame->cell_size_um > 0;
   const bool turned = frame->cosine != 0 || frame->sine != 0;
   const double turn = turned ? atan2(frame->sine, frame->cosine) : 0.0;
-  return (ground){policy->grid,
+  return (ground){*grid,
                   metric ? frame->cell_size_um / 1e6 : 1.0,
                   (double)frame->origin_x_um / 1e6,
                   (double)frame->origin_y_um / 1e6,
                   turned ? cos(turn) : 1.0,
                   turned ? sin(turn) : 0.0,
                   turn};
+}
+
+static inline ground ground_of(const qtr_policy *policy) {
+  const qtr_frame frame = qtr_policy_frame(policy);
+  return ground_in(&policy->grid, &frame);
 }
 
 static inline point ground_point(const ground *g, double x_m, double y_m) {

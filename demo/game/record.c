@@ -72,7 +72,7 @@ static void write_map(json *j, const plan *p) {
   json_integer(j, "columns", grid->columns);
   json_integer(j, "rows", grid->rows);
   json_number(j, "cell_size", ground_of(&p->t.policy).cell_size);
-  json_string(j, "unit", p->t.policy.frame.cell_size_um > 0 ? "m" : "cells"); /* of cell_size */
+  json_string(j, "unit", qtr_policy_frame(&p->t.policy).cell_size_um > 0 ? "m" : "cells"); /* of cell_size */
   json_array(j, "rows_text");
   for (unsigned r = 0; row != NULL && r < grid->rows; r++) json_string(j, NULL, table_grid_row(row, grid, r));
   json_end_array(j);

@@ -33,8 +33,8 @@
 #define QTR_C_END
 #endif
 
-/* Cells of a grid, columns x rows, blocked ones included. A distance field costs 6 bytes a cell up to 65,535 cells,
- * 8 beyond, on the robot as on the host. */
+/* Cells of a grid, columns x rows, blocked ones included. A robot's field of directions (quarter/field.h) takes 2
+ * bytes a cell below 4,096 cells, else 4. */
 #ifndef QTR_MAX_CELLS
 #if defined(QTR_PROFILE_TINY)
 #define QTR_MAX_CELLS 100

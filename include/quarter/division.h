@@ -21,11 +21,11 @@ QTR_C_BEGIN
 #define QTR_MAX_MOVES (QTR_MAX_PLACES + (QTR_MAX_SEEKERS * QTR_MAX_SEEKERS))
 
 typedef struct {
-  qtr_joint joint;               /* the nominal game, as far as it is played */
-  uint32_t off_table;            /* choices so far that the table had no record of */
   uint16_t moves;                /* so far */
   uint16_t place[QTR_MAX_MOVES]; /* in the order in which they are chosen */
   uint8_t seeker[QTR_MAX_MOVES]; /* by whom */
+  uint32_t off_table;            /* choices so far that the table had no record of */
+  qtr_joint joint;               /* the nominal game, as far as it is played */
 } qtr_division;
 
 /* Begin with no moves. */

@@ -28,14 +28,14 @@ typedef uint32_t qtr_field_cell;
 
 /* Large: keep it in static storage. 2 bytes a cell below 4,096 cells, else 4; and the ring. */
 typedef struct {
-  qtr_field_cell cell[QTR_MAX_CELLS];
-  qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: cells by the time at which they are settled, modulo its size */
-  uint32_t cells;                 /* of the grid that it is of */
-  qtr_cell first;                 /* of the cells that are settled now */
-  qtr_cell at;                    /* the one whose neighbour is told next; QTR_NO_CELL: none */
-  uint16_t empty;                 /* buckets in a row that held nothing: a whole turn of them is the end */
   uint8_t now;                    /* bucket */
   uint8_t direction;              /* in which neighbours are told */
+  uint16_t empty;                 /* buckets in a row that held nothing: a whole turn of them is the end */
+  qtr_cell first;                 /* of the cells that are settled now */
+  qtr_cell at;                    /* the one whose neighbour is told next; QTR_NO_CELL: none */
+  uint32_t cells;                 /* of the grid that it is of */
+  qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: cells by the time at which they are settled, modulo its size */
+  qtr_field_cell cell[QTR_MAX_CELLS];
 } qtr_field;
 
 /* Begin a search for the ways to `target`. QTR_OK; QTR_ERR_ARGUMENT for a target that is blocked or outside, which then has a
@@ -44,8 +44,8 @@ typedef struct {
 #define qtr_field_begin(field, grid, target) qtr_field_begin_built(field, grid, target, QTR_CONFIG_ID)
 int qtr_field_begin_built(qtr_field *field, const qtr_grid *grid, qtr_cell target, uint32_t config_id);
 
-/* Go on with it, over the grid that it was begun with, for at most so many steps, each of which looks at one neighbour of a cell. False
- * when there is no more to do. Dijkstra's algorithm over a ring of time buckets (Dial 1969), linear in the cells. */
+/* Go on with it, over the grid that it was begun with, for at most so many steps, each of which looks at one neighbour of a
+ * cell. False when there is no more to do. Dijkstra's algorithm over a ring of time buckets (Dial 1969), linear in the cells. */
 bool qtr_field_work(qtr_field *field, const qtr_grid *grid, unsigned steps);
 
 /* All of it at once. Returns what qtr_field_begin() does. */

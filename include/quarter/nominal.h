@@ -19,6 +19,16 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
  * travel (the lowest of equal ones). `*off_table` (may be NULL) says which. QTR_STAND_DOWN for a seeker that is none. */
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table);
 
+typedef struct {
+  qtr_steps passed; /* since the choice before */
+  int seeker;
+  uint16_t choice; /* a place, or QTR_STAND_DOWN */
+  bool off_table;
+} qtr_move;
+
+/* Play the next choice of the joint game, in nominal time. False, with only `passed` written: the game is over. */
+bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move);
+
 /* Play the joint game on in nominal time until `seeker` makes its next choice. Returns that choice, or QTR_STAND_DOWN
  * when it has none left or is none. `*now` (may be NULL) is moved on by the time that passes; `*off_table` (may be NULL) counts
  * the choices made off the table. */

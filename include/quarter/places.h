@@ -16,6 +16,9 @@ typedef struct {
   uint32_t word[QTR_PLACE_WORDS];
 } qtr_places;
 
+/* The word that a place's bit is in: where there is but one, nothing is reckoned. */
+#define QTR_PLACE_WORD(place) ((QTR_PLACE_WORDS > 1) ? ((place) / 32u) : 0u)
+
 static inline void qtr_places_clear(qtr_places *set) {
   for (int w = 0; w < QTR_PLACE_WORDS; w++) {
     set->word[w] = 0;
@@ -23,18 +26,18 @@ static inline void qtr_places_clear(qtr_places *set) {
 }
 
 static inline bool qtr_places_has(const qtr_places *set, unsigned place) {
-  return (place < QTR_MAX_PLACES) && (((set->word[place / 32u] >> (place % 32u)) & 1u) != 0u);
+  return (place < QTR_MAX_PLACES) && (((set->word[QTR_PLACE_WORD(place)] >> (place % 32u)) & 1u) != 0u);
 }
 
 static inline void qtr_places_add(qtr_places *set, unsigned place) {
   if (place < QTR_MAX_PLACES) {
-    set->word[place / 32u] |= (uint32_t)1 << (place % 32u);
+    set->word[QTR_PLACE_WORD(place)] |= (uint32_t)1 << (place % 32u);
   }
 }
 
 static inline void qtr_places_remove(qtr_places *set, unsigned place) {
   if (place < QTR_MAX_PLACES) {
-    set->word[place / 32u] &= ~((uint32_t)1 << (place % 32u));
+    set->word[QTR_PLACE_WORD(place)] &= ~((uint32_t)1 << (place % 32u));
   }
 }
 

@@ -7,6 +7,7 @@
 #ifndef QUARTER_POLICY_H
 #define QUARTER_POLICY_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "quarter/board.h"
@@ -17,6 +18,7 @@ QTR_C_BEGIN
 
 #define QTR_POLICY_FORMAT 2 /* raised when the bytes change their meaning; apart from the library's version */
 #define QTR_POLICY_NO_REGION 0xFFFFu
+#define QTR_POLICY_SECTIONS 9
 #define QTR_RECORD_BYTES ((4 * QTR_KEY_WORDS) + 4) /* of the largest record of a table */
 
 /* Whether tables of format 1, which Quarter 0.1 wrote, are opened too. A host does; a robot's table is learnt anew. */
@@ -39,18 +41,14 @@ typedef struct {
 typedef struct {
   const uint8_t *bytes;
   uint32_t size; /* of the part that a robot reads; a host may keep names behind it */
-  qtr_grid grid; /* what of the map can be reached */
-  qtr_frame frame;
-  qtr_board board;        /* its starts are the mission's own */
-  uint32_t records;       /* state/choice records */
-  const uint8_t *cells;   /* of the nodes, cell_bytes each */
-  const uint8_t *weights; /* of the places, 4 bytes each */
-  const uint8_t *record;  /* the first record */
-  const uint8_t *regions; /* of the cells, 2 bytes each; NULL: only the starts themselves are known */
-  const uint8_t *cleared; /* places that the mission itself has cleared beforehand, a bit each; NULL: none */
   uint8_t format;
-  uint8_t cell_bytes;
+  uint8_t features; /* what the table makes use of: docs/policy-format.md */
+  bool any_start;   /* each region is a start, and the cells' regions are known */
   qtr_record_shape records_shape;
+  qtr_board board;                  /* its starts are the mission's own */
+  qtr_grid grid;                    /* what of the map can be reached */
+  uint32_t records;                 /* state/choice records */
+  uint32_t at[QTR_POLICY_SECTIONS]; /* where each section begins */
 } qtr_policy;
 
 /* Open the table of `size` bytes at `bytes` (no alignment needed); bytes behind the robot's part are not looked at. QTR_OK;
@@ -65,6 +63,9 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
  * robot need not: whatever its table says, it announces nothing but what it has scanned, takes a place for blocked that it has no
  * way to, and comes to an end. */
 int qtr_policy_check(const qtr_policy *policy);
+
+/* Where the table's grid lies in the world. */
+qtr_frame qtr_policy_frame(const qtr_policy *policy);
 
 /* The cell of a node: of place p for p < places, of start s for places + s; QTR_NO_CELL if there is no such node. */
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node);

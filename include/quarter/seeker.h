@@ -45,28 +45,29 @@ enum qtr_standing {
   QTR_STANDS_BLOCKED = 3 /* what is left it cannot reach, or found blocked twice */
 };
 
-/* A handle: read it by the functions below. */
+/* A handle: read it by the functions below. What is asked for most comes first, where small processors reach it in one
+ * instruction. */
 typedef struct {
   const qtr_policy *policy;
-  qtr_deployment deployment;
-  qtr_division division;
-  uint32_t identity;
-  uint32_t run;
-  uint32_t foreign;      /* signals heard that are of another search */
-  qtr_places visited;    /* where this robot has been itself, without a find */
-  qtr_places blocked;    /* where it found no way, since it last began to try */
-  qtr_places retry;      /* on the last round: what was blocked before */
+  uint16_t target;   /* QTR_STAND_DOWN: none */
+  uint8_t territory; /* that the target is in */
+  uint8_t self;
+  bool divided;    /* the division is complete */
+  bool settled;    /* target and territory are those of what is known */
+  bool last_round; /* only what was blocked before is tried, once more */
+  bool found;
+  bool found_unsaid;     /* by this robot, and not yet announced */
   qtr_seeker_set done;   /* territories known to be finished */
   qtr_seeker_set unsaid; /* finished here and not yet announced */
   qtr_seeker_set lost;   /* seekers that are known to be lost */
-  uint16_t target;       /* QTR_STAND_DOWN: none */
-  uint8_t self;
-  uint8_t territory; /* that the target is in */
-  bool divided;      /* the division is complete */
-  bool settled;      /* target and territory are those of what is known */
-  bool last_round;   /* only what was blocked before is tried, once more */
-  bool found;
-  bool found_unsaid; /* by this robot, and not yet announced */
+  qtr_places visited;    /* where this robot has been itself, without a find */
+  qtr_places blocked;    /* where it found no way, since it last began to try */
+  qtr_places retry;      /* on the last round: what was blocked before */
+  uint32_t identity;
+  uint32_t run;
+  uint32_t foreign; /* signals heard that are of another search */
+  qtr_deployment deployment;
+  qtr_division division;
 } qtr_seeker;
 
 /* Robot `self` (0..seekers-1) at its start. `deployment` (copied) and `run` are the same on every robot; NULL: the mission's

@@ -48,10 +48,10 @@ static int make_board(qtr_environment *e, uint8_t rule) {
   e->board.steps = e->reach;
   for (unsigned to = 0; to < targets; to++) {
     for (unsigned from = 0; from < targets; from++)
-      store32_le(e->reach + 4 * ((size_t)from * targets + to), from == to ? 0 : longest_between(e, from, to));
+      qtr_store32(e->reach + 4 * ((size_t)from * targets + to), from == to ? 0 : longest_between(e, from, to));
     for (unsigned start = 0; start < e->board.starts; start++)
-      store32_le(e->reach + 4 * ((size_t)(targets + start) * targets + to),
-                 qtr_targets_duration(&e->targets, QTR_ANY_SEEKER, places_of(e) + start, to));
+      qtr_store32(e->reach + 4 * ((size_t)(targets + start) * targets + to),
+                  qtr_targets_duration(&e->targets, QTR_ANY_SEEKER, places_of(e) + start, to));
   }
   return qtr_board_init(&e->board);
 }

@@ -15,7 +15,7 @@
 
 /* The board's own bytes, by node and place. */
 static qtr_steps way(const qtr_spot_ground *ground, unsigned node, unsigned place) {
-  return load32_le(ground->steps + 4 * ((uint32_t)node * ground->places + place));
+  return qtr_load32(ground->steps + 4 * ((uint32_t)node * ground->places + place));
 }
 
 /* ---- distances ---- */

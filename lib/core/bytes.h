@@ -30,31 +30,32 @@ static inline bool bytes_begin(const uint8_t *bytes, const char *text) {
   return text[i] == '\0';
 }
 
-static inline uint32_t load16_le(const uint8_t *bytes) {
+/* Inline as C99 means it: where the compiler would rather call, there is one copy, in bytes.c. */
+inline uint32_t qtr_load16(const uint8_t *bytes) {
   return (uint32_t)bytes[0] | ((uint32_t)bytes[1] << 8);
 }
 
-static inline uint32_t load32_le(const uint8_t *bytes) {
-  return load16_le(bytes) | (load16_le(bytes + 2u) << 16);
+inline uint32_t qtr_load32(const uint8_t *bytes) {
+  return qtr_load16(bytes) | (qtr_load16(bytes + 2u) << 16);
 }
 
-static inline uint64_t load64_le(const uint8_t *bytes) {
-  return (uint64_t)load32_le(bytes) | ((uint64_t)load32_le(bytes + 4u) << 32);
+inline uint64_t qtr_load64(const uint8_t *bytes) {
+  return (uint64_t)qtr_load32(bytes) | ((uint64_t)qtr_load32(bytes + 4u) << 32);
 }
 
-static inline void store16_le(uint8_t *bytes, uint32_t value) {
+inline void qtr_store16(uint8_t *bytes, uint32_t value) {
   bytes[0] = (uint8_t)(value & 0xFFu);
   bytes[1] = (uint8_t)((value >> 8) & 0xFFu);
 }
 
-static inline void store32_le(uint8_t *bytes, uint32_t value) {
-  store16_le(bytes, value & 0xFFFFu);
-  store16_le(bytes + 2u, value >> 16);
+inline void qtr_store32(uint8_t *bytes, uint32_t value) {
+  qtr_store16(bytes, value & 0xFFFFu);
+  qtr_store16(bytes + 2u, value >> 16);
 }
 
-static inline void store64_le(uint8_t *bytes, uint64_t value) {
-  store32_le(bytes, (uint32_t)(value & 0xFFFFFFFFu));
-  store32_le(bytes + 4u, (uint32_t)(value >> 32));
+inline void qtr_store64(uint8_t *bytes, uint64_t value) {
+  qtr_store32(bytes, (uint32_t)(value & 0xFFFFFFFFu));
+  qtr_store32(bytes + 4u, (uint32_t)(value >> 32));
 }
 
 #endif

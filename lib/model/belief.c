@@ -137,17 +137,17 @@ int qtr_belief_save(const qtr_belief *belief, void *bytes, uint32_t room) {
   if (room < size) return QTR_ERR_SPACE;
   memset(out, 0, QTR_BELIEF_HEADER_BYTES);
   memcpy(out + QTR_BELIEF_MAGIC, magic, sizeof magic);
-  store16_le(out + QTR_BELIEF_VERSION, QTR_BELIEF_FORMAT);
-  store16_le(out + QTR_BELIEF_HEADER, QTR_BELIEF_HEADER_BYTES);
-  store32_le(out + QTR_BELIEF_SIZE, size);
-  store16_le(out + QTR_BELIEF_PLACES, belief->places);
-  store32_le(out + QTR_BELIEF_ABOUT, belief->about);
-  store32_le(out + QTR_BELIEF_GAMES, belief->games);
+  qtr_store16(out + QTR_BELIEF_VERSION, QTR_BELIEF_FORMAT);
+  qtr_store16(out + QTR_BELIEF_HEADER, QTR_BELIEF_HEADER_BYTES);
+  qtr_store32(out + QTR_BELIEF_SIZE, size);
+  qtr_store16(out + QTR_BELIEF_PLACES, belief->places);
+  qtr_store32(out + QTR_BELIEF_ABOUT, belief->about);
+  qtr_store32(out + QTR_BELIEF_GAMES, belief->games);
   store_double(out + QTR_BELIEF_KEEP, belief->keep);
   uint8_t *at = out + QTR_BELIEF_HEADER_BYTES;
   for (unsigned p = 0; p < belief->places; p++, at += 8) store_double(at, belief->prior[p]);
   for (unsigned p = 0; p < belief->places; p++, at += 8) store_double(at, belief->found[p]);
-  store32_le(out + QTR_BELIEF_CRC, qtr_crc32_add(0, out + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES));
+  qtr_store32(out + QTR_BELIEF_CRC, qtr_crc32_add(0, out + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES));
   return (int)size;
 }
 
@@ -156,21 +156,21 @@ static int check_frame(const uint8_t *bytes, uint32_t size) {
   if (size < sizeof magic) return QTR_ERR_TRUNCATED;
   if (memcmp(bytes, magic, sizeof magic) != 0) return QTR_ERR_MAGIC;
   if (size < QTR_BELIEF_HEADER_BYTES) return QTR_ERR_TRUNCATED;
-  if (load16_le(bytes + QTR_BELIEF_VERSION) != QTR_BELIEF_FORMAT) return QTR_ERR_FORMAT;
-  if (load16_le(bytes + QTR_BELIEF_HEADER) != QTR_BELIEF_HEADER_BYTES) return QTR_ERR_CORRUPT;
-  const uint32_t whole = load32_le(bytes + QTR_BELIEF_SIZE);
+  if (qtr_load16(bytes + QTR_BELIEF_VERSION) != QTR_BELIEF_FORMAT) return QTR_ERR_FORMAT;
+  if (qtr_load16(bytes + QTR_BELIEF_HEADER) != QTR_BELIEF_HEADER_BYTES) return QTR_ERR_CORRUPT;
+  const uint32_t whole = qtr_load32(bytes + QTR_BELIEF_SIZE);
   if (whole > size) return QTR_ERR_TRUNCATED;
   if (whole != size) return QTR_ERR_CORRUPT;
   const uint32_t crc = qtr_crc32_add(0, bytes + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES);
-  return crc == load32_le(bytes + QTR_BELIEF_CRC) ? QTR_OK : QTR_ERR_CHECKSUM;
+  return crc == qtr_load32(bytes + QTR_BELIEF_CRC) ? QTR_OK : QTR_ERR_CHECKSUM;
 }
 
 /* Bytes that mean nothing are 0, so that a later version may give them a meaning that this one refuses. */
 static int check_header(const uint8_t *bytes, uint32_t size) {
-  const uint32_t places = load16_le(bytes + QTR_BELIEF_PLACES);
+  const uint32_t places = qtr_load16(bytes + QTR_BELIEF_PLACES);
   const double keep = load_double(bytes + QTR_BELIEF_KEEP);
   if (places == 0 || size != QTR_BELIEF_BYTES(places)) return QTR_ERR_CORRUPT;
-  if (load16_le(bytes + QTR_BELIEF_PLACES + 2) != 0 || load32_le(bytes + QTR_BELIEF_GAMES + 4) != 0)
+  if (qtr_load16(bytes + QTR_BELIEF_PLACES + 2) != 0 || qtr_load32(bytes + QTR_BELIEF_GAMES + 4) != 0)
     return QTR_ERR_CORRUPT;
   if (!(keep > 0.0 && keep <= 1.0)) return QTR_ERR_CORRUPT;
   return places > QTR_MAX_PLACES ? QTR_ERR_LIMIT : QTR_OK;
@@ -191,14 +191,14 @@ int qtr_belief_load_sized(qtr_belief *belief, const void *bytes, uint32_t size, 
   int status = check_frame(in, size);
   if (status == QTR_OK) status = check_header(in, size);
   if (status != QTR_OK) return status;
-  const unsigned places = load16_le(in + QTR_BELIEF_PLACES);
+  const unsigned places = qtr_load16(in + QTR_BELIEF_PLACES);
   const uint8_t *const prior = in + QTR_BELIEF_HEADER_BYTES;
   const uint8_t *const found = prior + 8u * places;
   if (!are_within(prior, places, QTR_BELIEF_LEAST) || !are_within(found, places, 0.0)) return QTR_ERR_CORRUPT;
   memset(belief, 0, sizeof *belief);
   belief->places = (uint16_t)places;
-  belief->about = load32_le(in + QTR_BELIEF_ABOUT);
-  belief->games = load32_le(in + QTR_BELIEF_GAMES);
+  belief->about = qtr_load32(in + QTR_BELIEF_ABOUT);
+  belief->games = qtr_load32(in + QTR_BELIEF_GAMES);
   belief->keep = load_double(in + QTR_BELIEF_KEEP);
   for (unsigned p = 0; p < places; p++) {
     belief->prior[p] = load_double(prior + 8u * p);

@@ -9,11 +9,11 @@
 static inline void store_double(uint8_t *bytes, double value) {
   uint64_t bits;
   memcpy(&bits, &value, sizeof bits);
-  store64_le(bytes, bits);
+  qtr_store64(bytes, bits);
 }
 
 static inline double load_double(const uint8_t *bytes) {
-  const uint64_t bits = load64_le(bytes);
+  const uint64_t bits = qtr_load64(bytes);
   double value;
   memcpy(&value, &bits, sizeof value);
   return value;

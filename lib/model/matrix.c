@@ -12,7 +12,7 @@ static void add_reach(qtr_box *used, const qtr_grid *grid, const qtr_travel *tra
 /* Whether place `to` lies in one part of the map with a place before it. */
 static bool is_in_known_part(const uint8_t *steps, const qtr_mission *mission, unsigned to) {
   for (unsigned before = 0; before < to; before++)
-    if (load32_le(steps + 4u * ((size_t)to * mission->places + before)) != QTR_NEVER) return true;
+    if (qtr_load32(steps + 4u * ((size_t)to * mission->places + before)) != QTR_NEVER) return true;
   return false;
 }
 
@@ -30,8 +30,8 @@ uint16_t qtr_matrix_fill(uint8_t *steps, const qtr_mission *mission, const qtr_c
     if (used != NULL && !is_in_known_part(steps, mission, to)) add_reach(used, &grid, travel);
     uint8_t *at = steps + 4u * to;
     for (unsigned from = 0; from < mission->places; from++, at += row)
-      store32_le(at, travel->to_go[mission->place[from]]);
-    for (unsigned from = 0; from < starts; from++, at += row) store32_le(at, travel->to_go[start[from]]);
+      qtr_store32(at, travel->to_go[mission->place[from]]);
+    for (unsigned from = 0; from < starts; from++, at += row) qtr_store32(at, travel->to_go[start[from]]);
   }
   return to;
 }

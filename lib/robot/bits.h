@@ -2,7 +2,27 @@
 #ifndef QUARTER_BITS_H
 #define QUARTER_BITS_H
 
+#include <stdbool.h>
 #include <stdint.h>
+
+#include "quarter/places.h"
+
+/* qtr_places_has() and its like, of a place that is known to be one. */
+static inline uint32_t place_bit(unsigned place) {
+  return (uint32_t)1 << ((QTR_MAX_PLACES > 32) ? (place % 32u) : place);
+}
+
+static inline bool place_is_in(const qtr_places *set, unsigned place) {
+  return (set->word[QTR_PLACE_WORD(place)] & place_bit(place)) != 0u;
+}
+
+static inline void place_put(qtr_places *set, unsigned place) {
+  set->word[QTR_PLACE_WORD(place)] |= place_bit(place);
+}
+
+static inline void place_take(qtr_places *set, unsigned place) {
+  set->word[QTR_PLACE_WORD(place)] &= ~place_bit(place);
+}
 
 static inline uint32_t bits_size(unsigned members) {
   return (members + 7u) / 8u;

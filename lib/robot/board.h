@@ -8,18 +8,21 @@
 #include "quarter/status.h"
 
 /* qtr_board_steps() for what is known to lie in its ranges. */
-static inline qtr_steps steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
+inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
   (void)seeker; /* all travel alike */
   /* A seeker stands on a node of the board, and goes to one of its places. */
   QTR_ASSERT(((seeker < board->seekers) || (seeker == QTR_ANY_SEEKER)) &&
              (node < ((unsigned)board->places + board->starts)) && (place < board->places));
   const uint8_t *at = board->steps + (board->step_bytes * (((uint32_t)node * board->places) + place));
   if (board->step_bytes == 4u) {
-    return load32_le(at);
+    return qtr_load32(at);
   }
-  const uint32_t steps = (board->step_bytes == 1u) ? at[0] : load16_le(at);
+  const uint32_t steps = (board->step_bytes == 1u) ? at[0] : qtr_load16(at);
   return (steps == ((board->step_bytes == 1u) ? 0xFFu : 0xFFFFu)) ? QTR_NEVER : steps;
 }
+
+/* Whether a board's numbers, without its seats and travel times, are in their ranges: QTR_OK; QTR_ERR_LIMIT, QTR_ERR_ARGUMENT. */
+int qtr_board_check(const qtr_board *board);
 
 /* What a table says of each seeker, from the board's seekers on: where it starts. 2 bytes each. */
 void qtr_board_load_seats(qtr_board *board, const uint8_t *bytes);

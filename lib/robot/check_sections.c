@@ -1,33 +1,60 @@
 #include <stddef.h>
 
+#include "quarter/claim.h"
 #include "quarter/status.h"
 #include "robot/checks.h"
 #include "robot/layout.h"
 
+/* What later features need is 0 without them. In format 1 there were other bytes of 0. */
+static bool spare_is_clear(const qtr_policy *policy) {
+  const uint8_t *bytes = policy->bytes;
+  if (is_format_1(policy->format)) {
+    return (bytes[QTR_POLICY_STEP_BYTES] == 0u) && (qtr_load32(bytes + QTR_POLICY_STEP_TIME) == 0u);
+  }
+  for (unsigned at = QTR_POLICY_SPARE; at < QTR_POLICY_HEADER_BYTES; at++) {
+    if (bytes[at] != 0u) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Words that this version has no meaning for are refused, not taken for the nearest one it knows. Those that a robot plays by are
+ * refused on opening already. */
+static int check_words(const qtr_policy *policy) {
+  const uint8_t *bytes = policy->bytes;
+  const bool known = qtr_claim_knows(bytes[QTR_POLICY_OBJECTIVE]) && (bytes[QTR_POLICY_CERTIFIED] <= 1u) &&
+                     (bytes[QTR_POLICY_ANY_START] <= 1u) && (bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES);
+  return (known && spare_is_clear(policy)) ? QTR_OK : QTR_ERR_CORRUPT;
+}
+
 /* The grid lies somewhere, and on its map. */
 static int check_place_in_world(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
-  if (!qtr_frame_is_one(&policy->frame)) {
+  const qtr_frame frame = qtr_policy_frame(policy);
+  if (!qtr_frame_is_one(&frame)) {
     return QTR_ERR_CORRUPT;
   }
-  if (policy->format == 1u) {
+  if (is_format_1(policy->format)) {
     return QTR_OK;
   }
-  const uint32_t right = load16_le(bytes + QTR_POLICY_LEFT) + policy->grid.columns;
-  const uint32_t bottom = load16_le(bytes + QTR_POLICY_TOP) + policy->grid.rows;
+  const uint32_t right = qtr_load16(bytes + QTR_POLICY_LEFT) + policy->grid.columns;
+  const uint32_t bottom = qtr_load16(bytes + QTR_POLICY_TOP) + policy->grid.rows;
   const bool is_on_map =
-      (right <= load16_le(bytes + QTR_POLICY_MAP_COLUMNS)) && (bottom <= load16_le(bytes + QTR_POLICY_MAP_ROWS));
+      (right <= qtr_load16(bytes + QTR_POLICY_MAP_COLUMNS)) && (bottom <= qtr_load16(bytes + QTR_POLICY_MAP_ROWS));
   return is_on_map ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* Bytes that mean nothing are 0: what fills up the seats before the cells (format 1), and the bits behind the last cell. */
 static int check_padding(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
-  if ((policy->format == 1u) && ((policy->board.seekers % 2u) == 1u) && (load16_le(policy->cells - 2u) != 0u)) {
+  if (is_format_1(policy->format) && ((policy->board.seekers % 2u) == 1u) &&
+      (qtr_load16(section_of(policy, SECTION_CELLS) - 2u) != 0u)) {
     return QTR_ERR_CORRUPT;
   }
   const unsigned places = policy->board.places;
-  if ((policy->cleared != NULL) && ((places % 8u) != 0u) && ((policy->cleared[places / 8u] >> (places % 8u)) != 0u)) {
+  if (((policy->features & QTR_FEATURE_CLEARED) != 0) && ((places % 8u) != 0u) &&
+      ((section_of(policy, SECTION_CLEARED)[places / 8u] >> (places % 8u)) != 0u)) {
     return QTR_ERR_CORRUPT;
   }
   if ((policy->grid.encoding != QTR_GRID_BITS) || ((cells % 8u) == 0u)) {
@@ -63,7 +90,7 @@ static int check_weights(const qtr_policy *policy) {
 /* Every free cell belongs to a region, whose start lies in it; blocked cells belong to none. */
 static int check_regions(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
-  for (uint32_t cell = 0; (policy->regions != NULL) && (cell < cells); cell++) {
+  for (uint32_t cell = 0; policy->any_start && (cell < cells); cell++) {
     const bool is_free = qtr_grid_cost(&policy->grid, (qtr_cell)cell) > 0u;
     const unsigned region = qtr_policy_region(policy, (qtr_cell)cell);
     if ((region == QTR_POLICY_NO_REGION) == is_free) {
@@ -80,7 +107,7 @@ static int check_regions(const qtr_policy *policy) {
 /* Sorted by key, each key once. */
 static int check_records(const qtr_policy *policy) {
   const qtr_record_shape *shape = &policy->records_shape;
-  const uint8_t *record = policy->record;
+  const uint8_t *record = section_of(policy, SECTION_RECORDS);
   for (uint32_t r = 0; r < policy->records; r++, record += shape->bytes) {
     if ((r > 0u) && (record_compare(record, record - shape->bytes, shape) <= 0)) {
       return QTR_ERR_CORRUPT;
@@ -100,8 +127,8 @@ static int check_records(const qtr_policy *policy) {
 
 /* In this order, for each rests on those before: a region is looked up by its start, which must be a free cell. */
 int qtr_check_sections(const qtr_policy *policy) {
-  static int (*const checks[])(const qtr_policy *) = {check_place_in_world, check_padding, check_free,
-                                                      check_weights,        check_regions, check_records};
+  static int (*const checks[])(const qtr_policy *) = {check_words,   check_place_in_world, check_padding, check_free,
+                                                      check_weights, check_regions,        check_records};
   int status = QTR_OK;
   for (unsigned i = 0; (i < (sizeof checks / sizeof(checks[0]))) && (status == QTR_OK); i++) {
     status = checks[i](policy);

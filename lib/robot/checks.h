@@ -4,7 +4,7 @@
 
 #include "quarter/policy.h"
 
-/* Every node lies on the grid: QTR_ERR_CORRUPT. */
+/* Every node lies on the grid: QTR_ERR_CORRUPT. In entries.c. */
 int qtr_check_nodes(const qtr_policy *policy);
 
 /* Every number lies in its range, and bytes that mean nothing are 0: QTR_ERR_CORRUPT. */

@@ -16,7 +16,7 @@ static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
   if (qtr_grid_cost(&policy->grid, cell) == 0u) {
     return policy->board.starts;
   }
-  if (policy->regions != NULL) {
+  if (policy->any_start) {
     return qtr_policy_region(policy, cell);
   }
   while ((start < policy->board.starts) && (qtr_policy_cell(policy, policy->board.places + start) != cell)) {
@@ -46,8 +46,11 @@ void qtr_deployment_home(qtr_deployment *deployment, const qtr_policy *policy) {
     deployment->start_of[i] = policy->board.start_of[i];
   }
   qtr_places_clear(&deployment->cleared);
-  for (uint32_t i = 0; (policy->cleared != NULL) && (i < bits_size(policy->board.places)); i++) {
-    bits_add(deployment->cleared.word, i, policy->cleared[i]);
+  if ((policy->features & QTR_FEATURE_CLEARED) == 0) {
+    return;
+  }
+  for (uint32_t i = 0; i < bits_size(policy->board.places); i++) {
+    bits_add(deployment->cleared.word, i, section_of(policy, SECTION_CLEARED)[i]);
   }
 }
 
@@ -86,10 +89,10 @@ int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *poli
 /* The table's sum goes on over starts and cleared places: whoever has one of them otherwise plays another division, and
  * gets another number but for one case in 2^32. */
 uint32_t qtr_deployment_identity(const qtr_deployment *deployment, const qtr_policy *policy) {
-  uint32_t crc = load32_le(policy->bytes + QTR_POLICY_CRC);
+  uint32_t crc = qtr_load32(policy->bytes + QTR_POLICY_CRC);
   for (unsigned i = 0; i < policy->board.seekers; i++) {
     uint8_t node[2];
-    store16_le(node, (uint32_t)policy->board.places + deployment->start_of[i]);
+    qtr_store16(node, (uint32_t)policy->board.places + deployment->start_of[i]);
     crc = qtr_crc32_add(crc, node, sizeof node);
   }
   for (uint32_t i = 0; i < bits_size(policy->board.places); i++) {

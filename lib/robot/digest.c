@@ -6,36 +6,29 @@
 #include "core/crc.h"
 #include "quarter/deployment.h"
 #include "quarter/nominal.h"
+#include "robot/layout.h"
 
-/* A choice, and the step at which it is made. */
-/* Eight bytes a choice, none of them of the machine's own order. */
+/* A choice, and the step at which it is made: eight bytes, none of them of the machine's own order. */
 static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
   uint8_t line[8] = {(uint8_t)seeker, 0, 0, 0, 0, 0, 0, 0};
-  store16_le(line + 2u, choice);
-  store32_le(line + 4u, now);
+  qtr_store16(line + 2u, choice);
+  qtr_store32(line + 4u, now);
   return qtr_crc32_add(digest, line, sizeof line);
 }
 
 /* One pass over the game, choice by choice. */
 static uint32_t digest_of_game(const qtr_policy *policy) {
-  const qtr_board *board = &policy->board;
   qtr_deployment home;
   qtr_joint joint;
+  qtr_move move;
   qtr_steps now = 0;
-  qtr_steps passed = 0;
   uint32_t digest = 0;
   qtr_deployment_home(&home, policy);
-  qtr_joint_start(&joint, board, home.start_of, &home.cleared);
-  do {
-    for (int seeker = qtr_joint_chooser(&joint, board); seeker != QTR_NOBODY;
-         seeker = qtr_joint_chooser(&joint, board)) {
-      const uint16_t choice = qtr_policy_choose(policy, &joint, seeker, NULL);
-      digest = add(digest, seeker, choice, now);
-      (void)qtr_joint_choose(&joint, board, seeker, choice);
-    }
-    passed = qtr_joint_advance(&joint, board, NULL);
-    now += passed;
-  } while (passed > 0u);
+  qtr_joint_start(&joint, &policy->board, home.start_of, &home.cleared);
+  while (qtr_policy_move(policy, &joint, &move)) {
+    now += move.passed;
+    digest = add(digest, move.seeker, move.choice, now);
+  }
   return digest;
 }
 
@@ -61,7 +54,7 @@ static uint32_t digest_of_routes(const qtr_policy *policy) {
  * turns, travel times and the rule off the table. */
 uint32_t qtr_policy_digest(const qtr_policy *policy) {
 #if QTR_READ_FORMAT_1
-  if (policy->format == 1) {
+  if (is_format_1(policy->format)) {
     return digest_of_routes(policy);
   }
 #endif

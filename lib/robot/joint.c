@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "quarter/status.h"
+#include "robot/bits.h"
 #include "robot/board.h"
 
 /* At a node with no steps to go. There alone, and never between two nodes, a seeker chooses: what is chosen is carried out. */
@@ -15,39 +16,32 @@ static bool can_choose(const qtr_joint *joint, const qtr_board *board, int seeke
   return (seeker >= 0) && (seeker < board->seekers) && is_idle(joint, (unsigned)seeker);
 }
 
-/* Add to `choices` (may be NULL) the unvisited places in reach of an idle seeker, and say whether there are any. */
-static bool find_in_reach(const qtr_joint *joint, const qtr_board *board, unsigned seeker, bool unbound_only,
-                          qtr_places *choices) {
-  bool any = false;
-  for (unsigned place = 0; (place < board->places) && !(any && (choices == NULL)); place++) {
-    if (qtr_places_has(&joint->visited, place)) {
-      continue;
-    }
-    if (unbound_only && qtr_places_has(&joint->bound, place)) {
-      continue;
-    }
-    if (steps_between(board, seeker, joint->node[seeker], place) == QTR_NEVER) {
-      continue;
-    }
-    if (choices != NULL) {
-      qtr_places_add(choices, place);
-    }
-    any = true;
-  }
-  return any;
+static bool is_open(const qtr_joint *joint, unsigned place, bool follows) {
+  return !place_is_in(&joint->visited, place) && (follows || !place_is_in(&joint->bound, place));
 }
 
-/* The places that an idle seeker may choose, and whether there are any. By Table 1 those that others are
- * bound for come in when fewer places than seekers are left; so too when a seeker has no others within its reach. */
+/* The places that an idle seeker may choose, added to `choices` (may be NULL: then only the answer counts), and whether there are
+ * any. By Table 1 those that others are bound for come in when fewer places than seekers are left; so too when a seeker has no
+ * others within its reach. */
 static bool find_choices(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices) {
-  const bool may_follow = board->rule == QTR_RULE_PAPER;
-  if (may_follow && (joint->unvisited < board->seekers)) {
-    return find_in_reach(joint, board, seeker, false, choices);
+  const unsigned most = (board->rule == QTR_RULE_PAPER) ? 1u : 0u;
+  bool any = false;
+  for (unsigned follows = (joint->unvisited < board->seekers) ? most : 0; (follows <= most) && !any; follows++) {
+    for (unsigned place = 0; place < board->places; place++) {
+      if (!is_open(joint, place, follows > 0u)) {
+        continue;
+      }
+      if (qtr_steps_between(board, seeker, joint->node[seeker], place) == QTR_NEVER) {
+        continue;
+      }
+      if (choices == NULL) {
+        return true;
+      }
+      place_put(choices, place);
+      any = true;
+    }
   }
-  if (find_in_reach(joint, board, seeker, true, choices)) {
-    return true;
-  }
-  return may_follow && find_in_reach(joint, board, seeker, false, choices);
+  return any;
 }
 
 /* Nothing comes back within a seeker's reach later: whoever has nothing to choose is out of the game. */
@@ -61,9 +55,9 @@ static void stand_down_the_useless(qtr_joint *joint, const qtr_board *board) {
 
 static void visit(qtr_joint *joint, unsigned place) {
   /* A place is visited once, and `unvisited` counts the others. */
-  QTR_ASSERT((joint->unvisited > 0u) && !qtr_places_has(&joint->visited, place));
-  qtr_places_add(&joint->visited, place);
-  qtr_places_remove(&joint->bound, place);
+  QTR_ASSERT((joint->unvisited > 0u) && !place_is_in(&joint->visited, place));
+  place_put(&joint->visited, place);
+  place_take(&joint->bound, place);
   joint->unvisited--;
 }
 
@@ -75,7 +69,7 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *s
   qtr_places_clear(&joint->bound);
   joint->unvisited = board->places;
   for (unsigned place = 0; (cleared != NULL) && (place < board->places); place++) {
-    if (qtr_places_has(cleared, place)) {
+    if (place_is_in(cleared, place)) {
       visit(joint, place);
     }
   }
@@ -112,7 +106,7 @@ static bool other_can_reach(const qtr_joint *joint, const qtr_board *board, int 
     if (((int)i == seeker) || (joint->node[i] == QTR_STAND_DOWN)) {
       continue;
     }
-    if (steps_between(board, i, joint->node[i], place) != QTR_NEVER) {
+    if (qtr_steps_between(board, i, joint->node[i], place) != QTR_NEVER) {
       return true;
     }
   }
@@ -129,7 +123,7 @@ bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeke
   }
   /* Ways go both ways, so whoever can reach one of these places can reach them all. */
   unsigned place = 0;
-  while (!qtr_places_has(choices, place)) {
+  while (!place_is_in(choices, place)) {
     place++;
   }
   return other_can_reach(joint, board, seeker, place);
@@ -146,7 +140,7 @@ bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint
     return false;
   }
   const qtr_steps steps = qtr_board_steps(board, (unsigned)seeker, joint->node[seeker], choice);
-  if ((steps == QTR_NEVER) || qtr_places_has(&joint->visited, choice)) {
+  if ((steps == QTR_NEVER) || place_is_in(&joint->visited, choice)) {
     return false;
   }
   QTR_ASSERT(steps <= board->keys.longest); /* keys have room for the longest way and no longer one */
@@ -155,7 +149,7 @@ bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint
   if (steps == 0u) {
     visit(joint, choice);
   } else {
-    qtr_places_add(&joint->bound, choice);
+    place_put(&joint->bound, choice);
   }
   stand_down_the_useless(joint, board);
   return steps == 0u;
@@ -185,14 +179,14 @@ qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places
     }
     /* Who is on its way is bound for a place, which the others know; another may have visited it by now. */
     QTR_ASSERT(joint->node[i] < board->places);
-    QTR_ASSERT(qtr_places_has(&joint->bound, joint->node[i]) || qtr_places_has(&joint->visited, joint->node[i]));
+    QTR_ASSERT(place_is_in(&joint->bound, joint->node[i]) || place_is_in(&joint->visited, joint->node[i]));
     joint->remaining[i] -= least;
-    if ((joint->remaining[i] > 0u) || qtr_places_has(&joint->visited, joint->node[i])) {
+    if ((joint->remaining[i] > 0u) || place_is_in(&joint->visited, joint->node[i])) {
       continue;
     }
     visit(joint, joint->node[i]);
     if (arrived != NULL) {
-      qtr_places_add(arrived, joint->node[i]);
+      place_put(arrived, joint->node[i]);
     }
   }
   stand_down_the_useless(joint, board);

@@ -3,6 +3,7 @@
 #include <stdbool.h>
 
 #include "quarter/status.h"
+#include "robot/bits.h"
 
 /* ---- digits: key = key * base + digit, over so many words; returns how many it takes then ---- */
 
@@ -56,23 +57,23 @@ static unsigned append_clock(qtr_key *key, unsigned words, const qtr_key_shape *
   return (shape->clock > 0u) ? append_digit(key, words, clock, shape->clock + 1u) : words;
 }
 
+static bool comes_before(const qtr_key_shape *shape, const uint16_t *node, const qtr_steps *remaining, unsigned i,
+                         unsigned other) {
+  if (shape->kind[i] != shape->kind[other]) {
+    return shape->kind[i] < shape->kind[other];
+  }
+  return (node[i] != node[other]) ? node[i] < node[other] : (remaining[i] < remaining[other]);
+}
+
 /* Seekers of a kind are interchangeable: sorted, who is who is gone from the key. Kinds stay apart, in one order always. */
 static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], const qtr_key_shape *shape, const uint16_t *node,
                          const qtr_steps *remaining) {
-  const uint8_t *kind = shape->kind;
-  for (uint8_t i = 0; i < shape->seekers; i++) {
-    uint8_t at = i;
-    for (; at > 0u; at--) {
-      const uint8_t before = order[at - 1u];
-      const bool less = (kind[i] != kind[before])   ? kind[i] < kind[before]
-                        : (node[i] != node[before]) ? node[i] < node[before]
-                                                    : (remaining[i] < remaining[before]);
-      if (!less) {
-        break;
-      }
-      order[at] = before;
+  for (unsigned i = 0; i < shape->seekers; i++) {
+    unsigned at = i;
+    for (; (at > 0u) && comes_before(shape, node, remaining, i, order[at - 1u]); at--) {
+      order[at] = order[at - 1u];
     }
-    order[at] = i;
+    order[at] = (uint8_t)i;
   }
 }
 
@@ -99,28 +100,30 @@ void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *vi
   }
 }
 
-/* The key is greatest where every digit is, for it is monotone in each. */
+/* The key is greatest where every digit is, for it is monotone in each: all places visited, and all seekers stood down, with the
+ * longest way to go. */
 void qtr_key_measure(qtr_key_shape *shape) {
+  uint16_t node[QTR_MAX_SEEKERS];
+  qtr_steps remaining[QTR_MAX_SEEKERS];
   qtr_key key;
   qtr_places all;
-  unsigned words = 0;
-  for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) {
-    all.word[w] = UINT32_MAX;
-  }
-  if ((shape->places % 32u) != 0u) {
-    all.word[shape->places / 32u] = ((uint32_t)1 << (shape->places % 32u)) - 1u;
+  qtr_places_clear(&all);
+  for (unsigned place = 0; place < shape->places; place++) {
+    place_put(&all, place);
   }
   for (unsigned i = 0; i < shape->seekers; i++) {
-    words = append_seeker(&key, words, shape, shape->nodes, shape->longest);
+    node[i] = shape->nodes;
+    remaining[i] = shape->longest;
   }
-  words = append_clock(&key, words, shape, shape->clock);
-  words = append_places(&key, words, shape, &all);
-  /* The greatest key is that of all places visited by seekers that have stood down, so it is not 0. */
-  QTR_ASSERT((words > 0u) && (words <= QTR_KEY_WORDS));
-  unsigned bits = 32u * words;
-  for (uint32_t top = key.word[words - 1u]; (top & 0x80000000u) == 0u; top <<= 1) {
-    bits--;
+  shape->words = QTR_KEY_WORDS;
+  shape->bits = 32 * QTR_KEY_WORDS;
+  qtr_key_make(&key, shape, &all, shape->clock, node, remaining);
+  while (key.word[shape->words - 1u] == 0u) {
+    QTR_ASSERT(shape->words > 1); /* the greatest key is not 0, for no game is without places */
+    shape->words--;
   }
-  shape->bits = (uint16_t)bits;
-  shape->words = (uint8_t)words;
+  shape->bits = (uint16_t)(32u * shape->words);
+  for (uint32_t top = key.word[shape->words - 1u]; (top & 0x80000000u) == 0u; top <<= 1) {
+    shape->bits--;
+  }
 }

@@ -5,43 +5,40 @@
 #include "quarter/status.h"
 #include "robot/bits.h"
 
-/* A section that a table makes no use of takes no byte. */
-static bool has(const table_dimensions *d, uint32_t feature) {
-  return (d->features & feature) != 0u;
+/* A header may claim any number of records, and what they take must not wrap around into a size that fits. The upper half of the
+ * count tells: 0xFF00 * 2^16 and what the lower half adds to it are less than 2^32. */
+static uint32_t size_of_records(const qtr_policy *policy) {
+  const uint32_t bytes = policy->records_shape.bytes;
+  return (((policy->records >> 16) * bytes) < 0xFF00u) ? (policy->records * bytes) : UINT32_MAX;
 }
 
-/* Of what there is one for each seeker or place. */
-static uint32_t size_by_places(const table_dimensions *d, enum section section) {
-  switch (section) {
-  case SECTION_SEATS: return (d->format == 1u) ? ((d->seekers + 1u) / 2u * 4u) : (2u * d->seekers);
-  case SECTION_WEIGHTS: return 4u * (uint32_t)d->places;
-  case SECTION_CLEARED: return has(d, QTR_FEATURE_CLEARED) ? bits_size(d->places) : 0u;
-  case SECTION_NUMBERS: return has(d, QTR_FEATURE_NUMBERS) ? (2u * d->places) : 0u;
-  default: return 0;
-  }
-}
-
-/* In 64 bits: a header may claim any number of records, and what they take must not wrap around into a size that fits. */
-static uint64_t size_of(const table_dimensions *d, enum section section) {
-  const uint32_t nodes = (uint32_t)d->places + d->starts;
-  switch (section) {
-  case SECTION_CELLS: return (uint32_t)cell_bytes_of(d->format, d->cells) * nodes;
-  case SECTION_TRAVEL: return (uint32_t)d->step_bytes * nodes * d->places;
-  case SECTION_RECORDS: return (uint64_t)d->records * d->record_bytes;
-  case SECTION_GRID: return qtr_grid_size(d->cells, d->grid_encoding);
-  case SECTION_REGIONS: return d->any_start ? (2u * d->cells) : 0u;
-  default: return size_by_places(d, section);
-  }
+/* A section that a table makes no use of takes no byte. All but the records are so few that their bytes are counted in 32 bits. */
+static void find_sizes(uint32_t *size, const qtr_policy *policy) {
+  const qtr_board *board = &policy->board;
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
+  const uint32_t nodes = qtr_board_nodes(board);
+  const uint32_t seats = is_format_1(policy->format) ? ((board->seekers + 1u) / 2u * 2u) : board->seekers;
+  size[SECTION_SEATS] = 2u * seats;
+  size[SECTION_CELLS] = cell_bytes_of(policy->format, cells) * nodes;
+  size[SECTION_WEIGHTS] = 4u * board->places;
+  size[SECTION_TRAVEL] = board->step_bytes * nodes * board->places;
+  size[SECTION_RECORDS] = size_of_records(policy);
+  size[SECTION_GRID] = qtr_grid_size(cells, policy->grid.encoding);
+  size[SECTION_REGIONS] = policy->any_start ? (2u * cells) : 0u;
+  size[SECTION_CLEARED] = ((policy->features & QTR_FEATURE_CLEARED) != 0) ? bits_size(board->places) : 0u;
+  size[SECTION_NUMBERS] = ((policy->features & QTR_FEATURE_NUMBERS) != 0) ? (2u * board->places) : 0u;
 }
 
 /* One after another without gaps: bytes are read one by one, so nothing has to be aligned. */
-void qtr_layout_find(table_layout *layout, const table_dimensions *dimensions) {
-  /* So few that each section but the records is less than 2^32 bytes. */
-  QTR_ASSERT((dimensions->places <= QTR_MAX_PLACES) && (dimensions->starts <= QTR_MAX_STARTS));
-  QTR_ASSERT(dimensions->cells <= QTR_MAX_CELLS);
-  layout->end = (dimensions->format == 1u) ? QTR_POLICY_HEADER_1 : QTR_POLICY_HEADER_BYTES;
-  for (unsigned section = 0; section < SECTIONS; section++) {
-    layout->at[section] = (uint32_t)(layout->end & 0xFFFFFFFFu);
-    layout->end += size_of(dimensions, (enum section)section);
+uint32_t qtr_layout_find(qtr_policy *policy) {
+  QTR_ASSERT((policy->board.places <= QTR_MAX_PLACES) && (policy->board.starts <= QTR_MAX_STARTS));
+  QTR_ASSERT(qtr_grid_cells(&policy->grid) <= QTR_MAX_CELLS);
+  find_sizes(policy->at, policy);
+  uint32_t end = is_format_1(policy->format) ? QTR_POLICY_HEADER_1 : QTR_POLICY_HEADER_BYTES;
+  for (unsigned section = 0; section < QTR_POLICY_SECTIONS; section++) {
+    const uint32_t size = policy->at[section];
+    policy->at[section] = end;
+    end = (size < (UINT32_MAX - end)) ? (end + size) : UINT32_MAX;
   }
+  return end;
 }

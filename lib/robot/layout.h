@@ -12,6 +12,7 @@
 /* ---- the header, by byte offsets ---- */
 
 #define QTR_POLICY_MAGIC_BYTES "QTRP"
+#define QTR_POLICY_MAGIC_WORD 0x50525451u /* the same, read as a number */
 
 enum {
   QTR_POLICY_MAGIC = 0,         /* QTR_POLICY_MAGIC_BYTES */
@@ -73,51 +74,42 @@ enum section {
   SECTION_GRID,
   SECTION_REGIONS, /* u16 start that stands for each cell; none unless the table is for any start */
   SECTION_CLEARED, /* a bit a place; QTR_FEATURE_CLEARED */
-  SECTION_NUMBERS, /* u16 number in the input of each place; QTR_FEATURE_NUMBERS */
-  SECTIONS
+  SECTION_NUMBERS /* u16 number in the input of each place; QTR_FEATURE_NUMBERS. The last: QTR_POLICY_SECTIONS in all */
 };
 
-/* What the sizes of the sections follow from: there is no offset in the file to be wrong. */
-typedef struct {
-  uint32_t cells; /* of the grid */
-  uint32_t records;
-  uint32_t features; /* enum qtr_table_feature */
-  uint16_t places;
-  uint16_t starts;
-  uint8_t format;
-  uint8_t seekers;
-  uint8_t step_bytes;
-  uint8_t record_bytes;
-  uint8_t grid_encoding;
-  bool any_start;
-} table_dimensions;
+/* What a build is told that reads no other format it need not ask: what depends on it takes no code there. */
+static inline bool is_format_1(unsigned format) {
+  return QTR_READ_FORMAT_1 && (format == 1u);
+}
 
 /* Bytes that a cell's index takes. */
 static inline uint8_t cell_bytes_of(unsigned format, uint32_t cells) {
-  return ((format == 1u) || (cells > 65536u)) ? 4 : 2;
+  return (is_format_1(format) || ((QTR_MAX_CELLS > 65536) && (cells > 65536u))) ? 4 : 2;
 }
 
-typedef struct {
-  uint32_t at[SECTIONS]; /* where each begins, if the end is one of 32 bits */
-  uint64_t end;          /* bytes of the whole table */
-} table_layout;
+/* Where the policy's sections begin, by its dimensions: grid, board, features, format, and its records' shape and number. They
+ * must lie in their ranges; records may be any number. There is no offset in a table to be wrong. Returns the bytes of the whole
+ * table; UINT32_MAX: more than any table has. */
+uint32_t qtr_layout_find(qtr_policy *policy);
 
-/* The dimensions must lie in their ranges; records may be any number. */
-void qtr_layout_find(table_layout *layout, const table_dimensions *dimensions);
+static inline const uint8_t *section_of(const qtr_policy *policy, enum section section) {
+  return policy->bytes + policy->at[section];
+}
 
 /* ---- a record: the key, the least significant byte first; then the choice ---- */
 
 /* Format 1 has whole words, and 2 bytes of 0 at the end; since then a key and a choice take the bytes that they need. */
 static inline qtr_record_shape record_shape_of(unsigned format, const qtr_board *board) {
-  const unsigned key_bytes = (format == 1u) ? (4u * board->keys.words) : ((board->keys.bits + 7u) / 8u);
-  const unsigned choice_bytes = ((format != 1u) && (board->places < 255u)) ? 1u : 2u;
-  const unsigned bytes = key_bytes + ((format == 1u) ? 4u : choice_bytes);
+  const unsigned key_bytes = is_format_1(format) ? (4u * board->keys.words) : ((board->keys.bits + 7u) / 8u);
+  const unsigned choice_bytes = (is_format_1(format) || ((QTR_MAX_PLACES >= 255) && (board->places >= 255u))) ? 2u : 1u;
+  const unsigned bytes = key_bytes + (is_format_1(format) ? 4u : choice_bytes);
   return (qtr_record_shape){(uint8_t)key_bytes, (uint8_t)choice_bytes, (uint8_t)bytes};
 }
 
 static inline uint16_t record_choice(const uint8_t *record, const qtr_record_shape *shape) {
-  if (shape->choice_bytes == 2u) {
-    return (uint16_t)load16_le(record + shape->key_bytes);
+  const bool may_be_wide = QTR_READ_FORMAT_1 || (QTR_MAX_PLACES >= 255);
+  if (may_be_wide && (shape->choice_bytes == 2u)) {
+    return (uint16_t)qtr_load16(record + shape->key_bytes);
   }
   return (record[shape->key_bytes] == 0xFFu) ? QTR_STAND_DOWN : record[shape->key_bytes];
 }

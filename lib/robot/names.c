@@ -28,18 +28,18 @@ void qtr_names_write(uint8_t *bytes, const char *mission) {
   }
   bytes_clear(bytes, HEAD);
   bytes_copy(bytes, "QTRH", MAGIC);
-  store16_le(bytes + MAGIC, VERSION);
-  store32_le(bytes + SIZE_AT, size);
-  store16_le(bytes + HEAD, MISSION_NAME);
-  store16_le(bytes + HEAD + 2u, size - HEAD - ENTRY);
+  qtr_store16(bytes + MAGIC, VERSION);
+  qtr_store32(bytes + SIZE_AT, size);
+  qtr_store16(bytes + HEAD, MISSION_NAME);
+  qtr_store16(bytes + HEAD + 2u, size - HEAD - ENTRY);
   bytes_copy(bytes + HEAD + ENTRY, mission, size - HEAD - ENTRY);
-  store32_le(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
+  qtr_store32(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
 /* Sizes must agree to the byte: behind the names nothing more is kept. */
 static bool is_whole(const uint8_t *bytes, uint32_t size) {
-  return (size >= HEAD) && bytes_begin(bytes, "QTRH") && (load32_le(bytes + SIZE_AT) == size) &&
-         (load32_le(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD));
+  return (size >= HEAD) && bytes_begin(bytes, "QTRH") && (qtr_load32(bytes + SIZE_AT) == size) &&
+         (qtr_load32(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
 /* Into an array of QTR_NAME_BYTES. */
@@ -61,11 +61,11 @@ int qtr_names_read(char *mission, const uint8_t *bytes, uint32_t size) {
     return QTR_ERR_CORRUPT;
   }
   for (uint32_t at = HEAD; at < size;) {
-    if (((size - at) < ENTRY) || (load16_le(bytes + at + 2u) > (size - at - ENTRY))) {
+    if (((size - at) < ENTRY) || (qtr_load16(bytes + at + 2u) > (size - at - ENTRY))) {
       return QTR_ERR_CORRUPT;
     }
-    const uint32_t length = load16_le(bytes + at + 2u);
-    take(mission, load16_le(bytes + at), bytes + at + ENTRY, length);
+    const uint32_t length = qtr_load16(bytes + at + 2u);
+    take(mission, qtr_load16(bytes + at), bytes + at + ENTRY, length);
     at += ENTRY + length;
   }
   return QTR_OK;

@@ -30,7 +30,7 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
   uint32_t high = policy->records;
   while (low < high) {
     const uint32_t middle = low + ((high - low) / 2u);
-    const uint8_t *record = policy->record + (middle * shape->bytes);
+    const uint8_t *record = section_of(policy, SECTION_RECORDS) + (middle * shape->bytes);
     const int order = compare_key(record, &key, shape->key_bytes);
     if (order == 0) {
       *choice = record_choice(record, shape);
@@ -47,80 +47,84 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
 
 /* ---- off the table ---- */
 
-/* weight a / steps a > weight b / steps b, without a division. */
-/* The likeliest per step of travel first, as in Smith's rule for the least weighted sum of times; of equal ones the lowest
- * number, or robots would differ. Products of 32-bit numbers fit 64 bits, and a place on the spot (0 steps) beats all. */
-static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, unsigned seeker,
+/* Whether `place` is the likelier one a step of travel: weight / steps compared without a division, in products that fit 64 bits. A
+ * place on the spot (0 steps) beats all. */
+static bool is_likelier(const qtr_policy *policy, unsigned seeker, unsigned from, unsigned place, unsigned other) {
+  const qtr_steps steps = qtr_board_steps(&policy->board, seeker, from, place);
+  const qtr_steps others = qtr_board_steps(&policy->board, seeker, from, other);
+  return ((uint64_t)qtr_policy_weight(policy, place) * others) > ((uint64_t)qtr_policy_weight(policy, other) * steps);
+}
+
+/* As in Smith's rule for the least weighted sum of times; of equal ones the lowest number, or robots would differ. */
+static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, int seeker,
                                const qtr_places *choices) {
   uint16_t best = QTR_STAND_DOWN;
-  uint64_t best_weight = 0;
-  uint64_t best_steps = 1;
   for (uint16_t place = 0; place < policy->board.places; place++) {
-    if (!qtr_places_has(choices, place)) {
-      continue;
+    if (place_is_in(choices, place) &&
+        ((best == QTR_STAND_DOWN) || is_likelier(policy, (unsigned)seeker, joint->node[seeker], place, best))) {
+      best = place;
     }
-    const uint64_t weight = qtr_policy_weight(policy, place);
-    const uint64_t steps = qtr_board_steps(&policy->board, seeker, joint->node[seeker], place);
-    if ((best != QTR_STAND_DOWN) && ((weight * best_steps) <= (best_weight * steps))) {
-      continue;
-    }
-    best = place;
-    best_weight = weight;
-    best_steps = steps;
   }
   return best;
 }
 
-static bool is_seeker(const qtr_policy *policy, int seeker) {
-  return (seeker >= 0) && (seeker < policy->board.seekers);
-}
-
 /* ---- the game ---- */
 
-/* Whoever asks for a seeker that is none is told to stand, and is not off the table: no choice was due. */
+/* A record that allows no such choice can only be a forged one; it counts as none. Whose turn it is not may choose nothing, and
+ * stands. */
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
   qtr_places choices;
   uint16_t choice = QTR_STAND_DOWN;
   const bool may_stand_down = qtr_joint_choices(joint, &policy->board, seeker, &choices);
-  /* A record that allows no such choice can only be a forged one; it counts as none. */
   const bool known = qtr_policy_lookup(policy, joint, &choice) &&
-                     ((choice == QTR_STAND_DOWN) ? may_stand_down : qtr_places_has(&choices, choice));
-  const bool is_one = is_seeker(policy, seeker);
+                     (qtr_places_has(&choices, choice) || (may_stand_down && (choice == QTR_STAND_DOWN)));
+  if (!known) {
+    choice = choose_by_rate(policy, joint, seeker, &choices);
+  }
   if (off_table != NULL) {
-    *off_table = is_one && !known;
+    *off_table = !known && (choice != QTR_STAND_DOWN);
   }
-  if (known) {
-    return choice;
+  return choice;
+}
+
+/* Time passes only when nobody has to choose, and each time it passes somebody arrives: between two choices there are no
+ * more advances than seekers, so that a call is short. */
+bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move) {
+  move->passed = 0;
+  move->seeker = qtr_joint_chooser(joint, &policy->board);
+  while (move->seeker == QTR_NOBODY) {
+    const qtr_steps passed = qtr_joint_advance(joint, &policy->board, NULL);
+    if (passed == 0u) {
+      return false;
+    }
+    move->passed += passed;
+    move->seeker = qtr_joint_chooser(joint, &policy->board);
   }
-  if (!is_one) {
-    return QTR_STAND_DOWN;
-  }
-  return choose_by_rate(policy, joint, (unsigned)seeker, &choices);
+  move->choice = qtr_policy_choose(policy, joint, move->seeker, &move->off_table);
+  (void)qtr_joint_choose(joint, &policy->board, move->seeker, move->choice);
+  return true;
 }
 
 /* Ends, for each time round somebody chooses, and there are no more choices than QTR_MAX_MOVES and one to stand down for
- * each seeker; or time passes to an arrival. */
+ * each seeker. */
 uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table) {
-  while (is_seeker(policy, seeker) && (joint->node[seeker] != QTR_STAND_DOWN)) {
-    const int chooser = qtr_joint_chooser(joint, &policy->board);
-    if (chooser == QTR_NOBODY) {
-      const qtr_steps passed = qtr_joint_advance(joint, &policy->board, NULL);
-      if (passed == 0u) {
-        break;
-      }
-      if (now != NULL) {
-        *now += passed;
-      }
-      continue;
+  if ((seeker < 0) || (seeker >= policy->board.seekers)) {
+    return QTR_STAND_DOWN;
+  }
+  while (joint->node[seeker] != QTR_STAND_DOWN) {
+    qtr_move move;
+    const bool goes_on = qtr_policy_move(policy, joint, &move);
+    if (now != NULL) {
+      *now += move.passed;
     }
-    bool off = false;
-    const uint16_t choice = qtr_policy_choose(policy, joint, chooser, &off);
-    if (off && (off_table != NULL)) {
-      ++*off_table;
+    if (!goes_on) {
+      break;
     }
-    (void)qtr_joint_choose(joint, &policy->board, chooser, choice);
-    if (chooser == seeker) {
-      return choice;
+    if (off_table != NULL) {
+      *off_table += move.off_table;
+    }
+    if (move.seeker == seeker) {
+      return move.choice;
     }
   }
   return QTR_STAND_DOWN;

@@ -60,21 +60,21 @@ int32_t qtr_seeker_save(const qtr_seeker *seeker, uint8_t *bytes, uint32_t size)
   bytes[1] = FORMAT;
   bytes[SELF] = seeker->self;
   bytes[FOUND] = seeker->found;
-  store32_le(bytes + IDENTITY, seeker->identity);
-  store32_le(bytes + RUN, seeker->run);
-  store16_le(bytes + PLACES, board->places);
+  qtr_store32(bytes + IDENTITY, seeker->identity);
+  qtr_store32(bytes + RUN, seeker->run);
+  qtr_store16(bytes + PLACES, board->places);
   bytes[SEEKERS] = board->seekers;
   bytes[SEEKERS + 1] = 0;
   uint8_t *at = bytes + STARTS;
   for (unsigned i = 0; i < board->seekers; i++, at += 2u) {
-    store16_le(at, seeker->deployment.start_of[i]);
+    qtr_store16(at, seeker->deployment.start_of[i]);
   }
   at = store_bits(at, seeker->deployment.cleared.word, board->places);
   at = store_bits(at, seeker->visited.word, board->places);
   at = store_bits(at, blocked.word, board->places);
   at = store_bits(at, seeker->done.word, board->seekers);
   at = store_bits(at, seeker->lost.word, board->seekers);
-  store32_le(at, qtr_crc32_add(0, bytes, needed - 4u));
+  qtr_store32(at, qtr_crc32_add(0, bytes, needed - 4u));
   return (int32_t)needed;
 }
 
@@ -84,17 +84,17 @@ static bool is_sound(const qtr_board *board, unsigned self, const uint8_t *bytes
   if ((size < needed) || (bytes[0] != MARK) || (bytes[1] != FORMAT)) {
     return false;
   }
-  if (load32_le(bytes + needed - 4u) != qtr_crc32_add(0, bytes, needed - 4u)) {
+  if (qtr_load32(bytes + needed - 4u) != qtr_crc32_add(0, bytes, needed - 4u)) {
     return false;
   }
-  return (bytes[SELF] == self) && (load16_le(bytes + PLACES) == board->places) && (bytes[SEEKERS] == board->seekers);
+  return (bytes[SELF] == self) && (qtr_load16(bytes + PLACES) == board->places) && (bytes[SEEKERS] == board->seekers);
 }
 
 /* The deployment of then. False if it is none of this policy's. */
 static bool load_deployment(qtr_deployment *deployment, const qtr_policy *policy, const uint8_t *bytes) {
   const qtr_board *board = &policy->board;
   for (unsigned i = 0; i < board->seekers; i++) {
-    const uint32_t start = load16_le(bytes + STARTS + (2u * i));
+    const uint32_t start = qtr_load16(bytes + STARTS + (2u * i));
     if (start >= board->starts) {
       return false;
     }
@@ -102,7 +102,7 @@ static bool load_deployment(qtr_deployment *deployment, const qtr_policy *policy
   }
   qtr_places_clear(&deployment->cleared);
   (void)load_bits(bytes + STARTS + (2u * board->seekers), deployment->cleared.word, board->places);
-  return qtr_deployment_identity(deployment, policy) == load32_le(bytes + IDENTITY);
+  return qtr_deployment_identity(deployment, policy) == qtr_load32(bytes + IDENTITY);
 }
 
 int qtr_seeker_restore_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const uint8_t *bytes,
@@ -118,7 +118,7 @@ int qtr_seeker_restore_built(qtr_seeker *seeker, const qtr_policy *policy, unsig
   if (!load_deployment(&deployment, policy, bytes)) {
     return QTR_ERR_SAVE;
   }
-  const int status = qtr_seeker_init(seeker, policy, self, &deployment, load32_le(bytes + RUN));
+  const int status = qtr_seeker_init(seeker, policy, self, &deployment, qtr_load32(bytes + RUN));
   if (status != QTR_OK) {
     return status;
   }

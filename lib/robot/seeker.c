@@ -4,17 +4,27 @@
 
 #include "core/bytes.h"
 #include "quarter/status.h"
+#include "robot/bits.h"
+
+/* Where all seekers fit in one word, nothing is reckoned. */
+static unsigned word_of(unsigned seeker) {
+  return (QTR_MAX_SEEKERS > 32) ? (seeker / 32u) : 0u;
+}
+
+static uint32_t bit_of(unsigned seeker) {
+  return (uint32_t)1 << ((QTR_MAX_SEEKERS > 32) ? (seeker % 32u) : seeker);
+}
 
 static bool set_has(const qtr_seeker_set *set, unsigned seeker) {
-  return ((set->word[seeker / 32u] >> (seeker % 32u)) & 1u) != 0u;
+  return (set->word[word_of(seeker)] & bit_of(seeker)) != 0u;
 }
 
 static void set_add(qtr_seeker_set *set, unsigned seeker) {
-  set->word[seeker / 32u] |= (uint32_t)1 << (seeker % 32u);
+  set->word[word_of(seeker)] |= bit_of(seeker);
 }
 
 static void set_remove(qtr_seeker_set *set, unsigned seeker) {
-  set->word[seeker / 32u] &= ~((uint32_t)1 << (seeker % 32u));
+  set->word[word_of(seeker)] &= ~bit_of(seeker);
 }
 
 static unsigned seekers_of(const qtr_seeker *seeker) {
@@ -51,10 +61,9 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
  * they were. */
 static void find_finished(qtr_seeker *seeker, bool is_first) {
   const qtr_division *division = &seeker->division;
-  qtr_seeker_set open;
-  bytes_clear(&open, sizeof open);
+  qtr_seeker_set open = {{0}};
   for (unsigned i = 0; i < division->moves; i++) {
-    if (!qtr_places_has(&seeker->visited, division->place[i])) {
+    if (!place_is_in(&seeker->visited, division->place[i])) {
       set_add(&open, division->seeker[i]);
     }
   }
@@ -90,10 +99,10 @@ static bool is_in_reach(const qtr_seeker *seeker, unsigned place) {
 
 /* A place may be blocked and visited, by one who got there all the same: then it is visited. */
 static bool is_to_try(const qtr_seeker *seeker, unsigned place) {
-  if (qtr_places_has(&seeker->visited, place) || qtr_places_has(&seeker->blocked, place)) {
+  if (place_is_in(&seeker->visited, place) || place_is_in(&seeker->blocked, place)) {
     return false;
   }
-  return (!seeker->last_round || qtr_places_has(&seeker->retry, place)) && is_in_reach(seeker, place);
+  return (!seeker->last_round || place_is_in(&seeker->retry, place)) && is_in_reach(seeker, place);
 }
 
 /* The next place of a territory: the first on its route that is to try, and in an odd pass the last. In pass p a robot walks
@@ -166,10 +175,10 @@ static void settle(qtr_seeker *seeker) {
 /* ---- what a robot is told ---- */
 
 void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
-  if ((place >= seeker->policy->board.places) || qtr_places_has(&seeker->visited, place)) {
+  if ((place >= seeker->policy->board.places) || place_is_in(&seeker->visited, place)) {
     return;
   }
-  qtr_places_add(&seeker->visited, place);
+  place_put(&seeker->visited, place);
   seeker->settled = false;
   if (seeker->divided) {
     find_finished(seeker, false);
@@ -178,10 +187,10 @@ void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
 
 /* Not taken back on a later visit: is_to_try() asks for visits first. */
 void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
-  if ((place >= seeker->policy->board.places) || qtr_places_has(&seeker->visited, place)) {
+  if ((place >= seeker->policy->board.places) || place_is_in(&seeker->visited, place)) {
     return;
   }
-  qtr_places_add(&seeker->blocked, place);
+  place_put(&seeker->blocked, place);
   seeker->settled = false;
 }
 
@@ -320,12 +329,12 @@ unsigned qtr_seeker_left(qtr_seeker *seeker, qtr_places *left) {
   qtr_places_clear(&unscanned);
   for (unsigned i = 0; i < division->moves; i++) {
     const unsigned place = division->place[i];
-    if (set_has(&seeker->done, division->seeker[i]) || qtr_places_has(&seeker->visited, place)) {
+    if (set_has(&seeker->done, division->seeker[i]) || place_is_in(&seeker->visited, place)) {
       continue;
     }
     /* By the paper's rule two seekers may be bound for one place. */
-    count += qtr_places_has(&unscanned, place) ? 0u : 1u;
-    qtr_places_add(&unscanned, place);
+    count += place_is_in(&unscanned, place) ? 0u : 1u;
+    place_put(&unscanned, place);
   }
   if (left != NULL) {
     *left = unscanned;

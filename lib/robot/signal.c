@@ -4,8 +4,8 @@
 
 /* Byte by byte: robots of other makes read the same. */
 void qtr_signal_write(const qtr_signal *signal, uint8_t *bytes) {
-  store32_le(bytes, signal->identity);
-  store32_le(bytes + 4u, signal->run);
+  qtr_store32(bytes, signal->identity);
+  qtr_store32(bytes + 4u, signal->run);
   bytes[8] = signal->kind;
   bytes[9] = signal->territory;
 }
@@ -19,8 +19,8 @@ bool qtr_signal_read(qtr_signal *signal, const uint8_t *bytes, uint32_t size) {
   if ((bytes[8] != QTR_SIGNAL_FOUND) && (bytes[8] != QTR_SIGNAL_TERRITORY_DONE)) {
     return false;
   }
-  signal->identity = load32_le(bytes);
-  signal->run = load32_le(bytes + 4u);
+  signal->identity = qtr_load32(bytes);
+  signal->run = qtr_load32(bytes + 4u);
   signal->kind = bytes[8];
   signal->territory = bytes[9];
   return true;

@@ -13,7 +13,7 @@ void qtr_record_write(uint8_t *record, const qtr_joint *joint, const qtr_board *
   qtr_joint_key(&key, joint, board);
   for (uint32_t i = 0; i < shape.key_bytes; i++) record[i] = bits_byte(key.word, i);
   if (shape.choice_bytes == 2)
-    store16_le(record + shape.key_bytes, choice);
+    qtr_store16(record + shape.key_bytes, choice);
   else
     record[shape.key_bytes] = choice == QTR_STAND_DOWN ? 0xFFu : (uint8_t)choice;
 }

@@ -77,34 +77,33 @@ static uint8_t step_bytes_of(const qtr_board *board) {
 }
 
 /* Bits of what an older build would have to know to play the table: one that it does not know it refuses. */
-static uint32_t features_of(const qtr_table_content *content) {
-  return (content->cleared != NULL ? (uint32_t)QTR_FEATURE_CLEARED : 0u) |
-         (content->mission->number != NULL ? (uint32_t)QTR_FEATURE_NUMBERS : 0u);
+static uint8_t features_of(const qtr_table_content *content) {
+  return (uint8_t)((content->cleared != NULL ? QTR_FEATURE_CLEARED : 0) |
+                   (content->mission->number != NULL ? QTR_FEATURE_NUMBERS : 0));
 }
 
-static table_layout layout_of(const qtr_table_content *content) {
-  const qtr_board *board = content->board;
+/* The table's dimensions, as a robot reads them. */
+static qtr_policy layout_of(const qtr_table_content *content) {
   const qtr_box box = box_of(content);
-  const table_dimensions dimensions = {.cells = cells_of(&box),
-                                       .records = content->record_count,
-                                       .features = features_of(content),
-                                       .places = board->places,
-                                       .starts = board->starts,
-                                       .format = QTR_POLICY_FORMAT,
-                                       .seekers = board->seekers,
-                                       .step_bytes = step_bytes_of(board),
-                                       .record_bytes = record_shape_written(board).bytes,
-                                       .grid_encoding = encoding_of(content),
-                                       .any_start = content->region != NULL};
-  table_layout layout;
-  qtr_layout_find(&layout, &dimensions);
-  return layout;
+  qtr_policy policy;
+  memset(&policy, 0, sizeof policy);
+  policy.format = QTR_POLICY_FORMAT;
+  policy.features = features_of(content);
+  policy.any_start = content->region != NULL;
+  policy.records = content->record_count;
+  policy.records_shape = record_shape_written(content->board);
+  policy.board = *content->board;
+  policy.board.step_bytes = step_bytes_of(content->board);
+  policy.grid.columns = columns_of(&box);
+  policy.grid.rows = rows_of(&box);
+  policy.grid.encoding = encoding_of(content);
+  policy.size = qtr_layout_find(&policy);
+  return policy;
 }
 
 /* UINT32_MAX is no size: no table has as many bytes, and the writer refuses it. */
 uint32_t qtr_table_size(const qtr_table_content *content) {
-  const table_layout layout = layout_of(content);
-  return layout.end <= UINT32_MAX ? (uint32_t)layout.end : UINT32_MAX;
+  return layout_of(content).size;
 }
 
 /* ---- header ---- */
@@ -113,45 +112,45 @@ uint32_t qtr_table_size(const qtr_table_content *content) {
 static void write_map(uint8_t *bytes, const qtr_table_content *content) {
   const qtr_box box = box_of(content);
   const qtr_frame frame = frame_of(content);
-  store16_le(bytes + QTR_POLICY_COLUMNS, columns_of(&box));
-  store16_le(bytes + QTR_POLICY_ROWS, rows_of(&box));
+  qtr_store16(bytes + QTR_POLICY_COLUMNS, columns_of(&box));
+  qtr_store16(bytes + QTR_POLICY_ROWS, rows_of(&box));
   bytes[QTR_POLICY_GRID] = encoding_of(content);
-  store32_le(bytes + QTR_POLICY_CELL_SIZE, frame.cell_size_um);
-  store64_le(bytes + QTR_POLICY_ORIGIN_X, (uint64_t)frame.origin_x_um);
-  store64_le(bytes + QTR_POLICY_ORIGIN_Y, (uint64_t)frame.origin_y_um);
-  store32_le(bytes + QTR_POLICY_COSINE, (uint32_t)frame.cosine);
-  store32_le(bytes + QTR_POLICY_SINE, (uint32_t)frame.sine);
-  store16_le(bytes + QTR_POLICY_LEFT, box.left);
-  store16_le(bytes + QTR_POLICY_TOP, box.top);
-  store16_le(bytes + QTR_POLICY_MAP_COLUMNS, content->mission->columns);
-  store16_le(bytes + QTR_POLICY_MAP_ROWS, content->mission->rows);
+  qtr_store32(bytes + QTR_POLICY_CELL_SIZE, frame.cell_size_um);
+  qtr_store64(bytes + QTR_POLICY_ORIGIN_X, (uint64_t)frame.origin_x_um);
+  qtr_store64(bytes + QTR_POLICY_ORIGIN_Y, (uint64_t)frame.origin_y_um);
+  qtr_store32(bytes + QTR_POLICY_COSINE, (uint32_t)frame.cosine);
+  qtr_store32(bytes + QTR_POLICY_SINE, (uint32_t)frame.sine);
+  qtr_store16(bytes + QTR_POLICY_LEFT, box.left);
+  qtr_store16(bytes + QTR_POLICY_TOP, box.top);
+  qtr_store16(bytes + QTR_POLICY_MAP_COLUMNS, content->mission->columns);
+  qtr_store16(bytes + QTR_POLICY_MAP_ROWS, content->mission->rows);
 }
 
 static void write_dimensions(uint8_t *bytes, const qtr_table_content *content, uint32_t size) {
   const qtr_board *board = content->board;
   memcpy(bytes + QTR_POLICY_MAGIC, QTR_POLICY_MAGIC_BYTES, QTR_POLICY_VERSION);
-  store16_le(bytes + QTR_POLICY_VERSION, QTR_POLICY_FORMAT);
-  store16_le(bytes + QTR_POLICY_HEADER, QTR_POLICY_HEADER_BYTES);
-  store32_le(bytes + QTR_POLICY_SIZE, size);
-  store16_le(bytes + QTR_POLICY_PLACES, board->places);
+  qtr_store16(bytes + QTR_POLICY_VERSION, QTR_POLICY_FORMAT);
+  qtr_store16(bytes + QTR_POLICY_HEADER, QTR_POLICY_HEADER_BYTES);
+  qtr_store32(bytes + QTR_POLICY_SIZE, size);
+  qtr_store16(bytes + QTR_POLICY_PLACES, board->places);
   bytes[QTR_POLICY_SEEKERS] = board->seekers;
   bytes[QTR_POLICY_ANY_START] = content->region != NULL;
   bytes[QTR_POLICY_RULE] = board->rule;
   bytes[QTR_POLICY_OBJECTIVE] = content->mission->aim.kind;
   bytes[QTR_POLICY_KEY_WORDS] = board->keys.words;
   bytes[QTR_POLICY_STEP_BYTES] = step_bytes_of(board);
-  store16_le(bytes + QTR_POLICY_STARTS, board->starts);
-  store32_le(bytes + QTR_POLICY_RECORDS, content->record_count);
-  store32_le(bytes + QTR_POLICY_FEATURES, features_of(content));
-  store32_le(bytes + QTR_POLICY_STEP_TIME, content->mission->step_time_us);
+  qtr_store16(bytes + QTR_POLICY_STARTS, board->starts);
+  qtr_store32(bytes + QTR_POLICY_RECORDS, content->record_count);
+  qtr_store32(bytes + QTR_POLICY_FEATURES, features_of(content));
+  qtr_store32(bytes + QTR_POLICY_STEP_TIME, content->mission->step_time_us);
 }
 
 /* As the learner gave it. Opening holds value, bound and gap against one another, so a writer's slip shows at once. */
 static void write_certificate(uint8_t *bytes, const qtr_table_content *content) {
   const qtr_certificate *certificate = content->certificate;
   bytes[QTR_POLICY_CERTIFIED] = certificate->certified;
-  store32_le(bytes + QTR_POLICY_PRODUCER, QTR_VERSION);
-  store64_le(bytes + QTR_POLICY_SEED, content->seed);
+  qtr_store32(bytes + QTR_POLICY_PRODUCER, QTR_VERSION);
+  qtr_store64(bytes + QTR_POLICY_SEED, content->seed);
   store_double(bytes + QTR_POLICY_GAMMA, content->mission->aim.gamma);
   store_double(bytes + QTR_POLICY_VALUE, certificate->value);
   store_double(bytes + QTR_POLICY_TIME, certificate->expected_time);
@@ -169,9 +168,9 @@ static void write_cells(uint8_t *at, const qtr_table_content *content) {
     const qtr_cell on = node < board->places ? content->mission->place[node] : content->start[node - board->places];
     const uint32_t cell = in_table(content->mission, &box, on);
     if (bytes == 2)
-      store16_le(at, cell);
+      qtr_store16(at, cell);
     else
-      store32_le(at, cell);
+      qtr_store32(at, cell);
   }
 }
 
@@ -195,7 +194,7 @@ static uint32_t fixed_point(double probability) {
 
 static void write_weights(uint8_t *at, const qtr_table_content *content) {
   for (unsigned place = 0; place < content->board->places; place++)
-    store32_le(at + 4 * place, fixed_point(content->probability[place]));
+    qtr_store32(at + 4 * place, fixed_point(content->probability[place]));
 }
 
 /* A bit a cell from the lowest of each byte on, as sets of places are. */
@@ -214,7 +213,7 @@ static void write_grid(uint8_t *at, const qtr_table_content *content) {
 static void write_regions(uint8_t *at, const qtr_table_content *content) {
   const qtr_box box = box_of(content);
   for (uint32_t cell = 0; content->region != NULL && cell < cells_of(&box); cell++)
-    store16_le(at + 2 * cell, content->region[on_map(content->mission, &box, cell)]);
+    qtr_store16(at + 2 * cell, content->region[on_map(content->mission, &box, cell)]);
 }
 
 /* Both sections may be missing: then their bytes are none, and nothing is written. */
@@ -222,12 +221,12 @@ static void write_places(uint8_t *cleared, uint8_t *numbers, const qtr_table_con
   for (unsigned place = 0; place < content->board->places; place++) {
     if (content->cleared != NULL && qtr_places_has(content->cleared, place))
       cleared[place / 8] = (uint8_t)(cleared[place / 8] | 1u << place % 8);
-    if (content->mission->number != NULL) store16_le(numbers + 2 * place, content->mission->number[place]);
+    if (content->mission->number != NULL) qtr_store16(numbers + 2 * place, content->mission->number[place]);
   }
 }
 
 /* All bytes are 0 before: bits are added, and what is nobody's stays 0, as opening asks. */
-static void write_sections(uint8_t *bytes, const table_layout *layout, const qtr_table_content *content) {
+static void write_sections(uint8_t *bytes, const qtr_policy *layout, const qtr_table_content *content) {
   const qtr_board *board = content->board;
   const uint32_t records = content->record_count * record_shape_written(board).bytes;
   qtr_board_store_seats(board, bytes + layout->at[SECTION_SEATS]);
@@ -244,14 +243,14 @@ static void write_sections(uint8_t *bytes, const table_layout *layout, const qtr
 
 /* Of all behind itself, up to the end. */
 static void seal(uint8_t *bytes, uint32_t size) {
-  store32_le(bytes + QTR_POLICY_CRC, qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
+  qtr_store32(bytes + QTR_POLICY_CRC, qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
 }
 
 int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32_t size) {
-  const table_layout layout = layout_of(content);
+  const qtr_policy layout = layout_of(content);
   qtr_policy policy;
-  if (layout.end > size || layout.end > INT32_MAX) return QTR_ERR_SPACE;
-  const uint32_t needed = (uint32_t)layout.end;
+  if (layout.size > size || layout.size > INT32_MAX) return QTR_ERR_SPACE;
+  const uint32_t needed = layout.size;
   memset(bytes, 0, needed);
   write_dimensions(bytes, content, needed);
   write_map(bytes, content);
@@ -261,7 +260,7 @@ int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32
   /* The robot's own code says what the digest is: opening stops at it, and then must not. */
   int status = qtr_policy_open(&policy, bytes, needed);
   if (status != QTR_OK && status != QTR_ERR_SELFTEST) return status;
-  store32_le(bytes + QTR_POLICY_DIGEST, qtr_policy_digest(&policy));
+  qtr_store32(bytes + QTR_POLICY_DIGEST, qtr_policy_digest(&policy));
   seal(bytes, needed);
   status = qtr_policy_open(&policy, bytes, needed);
   if (status == QTR_OK) status = qtr_policy_check(&policy);

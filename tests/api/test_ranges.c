@@ -261,6 +261,7 @@ static void test_seeker_or_choice_that_is_none_changes_nothing(void) {
     qtr_joint joint;
     qtr_places cleared;
     qtr_key key;
+    qtr_move move;
     open_random("seekers", number, &random);
     for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) cleared.word[w] = (uint32_t)random_bits(&random);
     memset(&joint, 0, sizeof joint);
@@ -269,10 +270,18 @@ static void test_seeker_or_choice_that_is_none_changes_nothing(void) {
       const int chooser = qtr_joint_chooser(&joint, &policy.board);
       qtr_joint_key(&key, &joint, &policy.board);
       for (unsigned tries = 0; tries < 20; tries++) meddle(&joint, &random);
-      if (chooser != QTR_NOBODY)
-        qtr_joint_choose(&joint, &policy.board, chooser, qtr_policy_choose(&policy, &joint, chooser, NULL));
-      else
+      if (chooser == QTR_NOBODY) {
         on = qtr_joint_advance(&joint, &policy.board, NULL) > 0;
+        continue;
+      }
+      const uint16_t choice = qtr_policy_choose(&policy, &joint, chooser, NULL);
+      qtr_joint moved = joint;
+      qtr_joint_choose(&joint, &policy.board, chooser, choice);
+      TEST_ASSERT_TRUE_MESSAGE(qtr_policy_move(&policy, &moved, &move), case_note);
+      TEST_ASSERT_EQUAL_INT_MESSAGE(chooser, move.seeker, case_note);
+      TEST_ASSERT_EQUAL_HEX16_MESSAGE(choice, move.choice, case_note);
+      TEST_ASSERT_EQUAL_UINT32_MESSAGE(0, move.passed, case_note);
+      TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&joint, &moved, sizeof joint, case_note);
     }
   }
 }

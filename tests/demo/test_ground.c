@@ -63,15 +63,15 @@ static void turn(qtr_frame *frame, double angle) {
 static void test_metres_are_those_of_the_maps_frame(void) {
   for (unsigned number = 0; number < 300; number++) {
     test_random random = random_case("metres", number);
-    qtr_policy policy = {.grid = ground_sized(random_in(&random, 1, 300), random_in(&random, 1, 300)).grid};
+    const qtr_grid grid = ground_sized(random_in(&random, 1, 300), random_in(&random, 1, 300)).grid;
     int64_t x, y;
-    policy.frame = (qtr_frame){random_in(&random, 1, 5000000), (int64_t)random_below(&random, 200000000) - 100000000,
-                               (int64_t)random_below(&random, 200000000) - 100000000, 0, 0};
-    if (random_chance(&random, 50)) turn(&policy.frame, random_below(&random, 6284) / 1000.0);
-    const ground g = ground_of(&policy);
+    qtr_frame frame = {random_in(&random, 1, 5000000), (int64_t)random_below(&random, 200000000) - 100000000,
+                       (int64_t)random_below(&random, 200000000) - 100000000, 0, 0};
+    if (random_chance(&random, 50)) turn(&frame, random_below(&random, 6284) / 1000.0);
+    const ground g = ground_in(&grid, &frame);
     const qtr_cell cell = random_below(&random, (unsigned)g.grid.columns * g.grid.rows);
     const point middle = ground_centre(&g, cell);
-    qtr_frame_centre(&policy.frame, &policy.grid, cell, &x, &y);
+    qtr_frame_centre(&frame, &grid, cell, &x, &y);
     TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(3.5e-6, (double)x / 1e6, ground_x_m(&g, middle), case_note);
     TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(3.5e-6, (double)y / 1e6, ground_y_m(&g, middle), case_note);
   }
@@ -92,8 +92,9 @@ static void test_metres_and_back_is_the_same_point(void) {
 }
 
 static void test_by_hand_half_metre_cells_from_an_origin(void) {
-  qtr_policy policy = {.grid = ground_sized(4, 3).grid, .frame = {500000, -1000000, 2000000}};
-  const ground g = ground_of(&policy);
+  const qtr_grid grid = ground_sized(4, 3).grid;
+  const qtr_frame frame = {.cell_size_um = 500000, .origin_x_um = -1000000, .origin_y_um = 2000000};
+  const ground g = ground_in(&grid, &frame);
   const point middle = ground_centre(&g, 0);
   TEST_ASSERT_EQUAL_DOUBLE(-0.75, ground_x_m(&g, middle));
   TEST_ASSERT_EQUAL_DOUBLE(3.25, ground_y_m(&g, middle));
@@ -101,8 +102,9 @@ static void test_by_hand_half_metre_cells_from_an_origin(void) {
 }
 
 static void test_a_map_without_metres_has_cells_of_one(void) {
-  qtr_policy policy = {.grid = ground_sized(4, 3).grid};
-  const ground g = ground_of(&policy);
+  const qtr_grid grid = ground_sized(4, 3).grid;
+  const qtr_frame none = {.cell_size_um = 0};
+  const ground g = ground_in(&grid, &none);
   TEST_ASSERT_EQUAL_DOUBLE(1.5, ground_x_m(&g, (point){1.5, 2.5}));
   TEST_ASSERT_EQUAL_DOUBLE(2.5, ground_y_m(&g, (point){1.5, 2.5}));
 }

@@ -349,7 +349,9 @@ static void test_wheels_are_told_in_metres(void) {
   place_at(start_cell(), 0.0, 0);
   act(0, UNREAD);
   const message_command in_cells = command[0];
-  policy.frame = (qtr_frame){250000, 3000000, -2000000, 0, 0};
+  table_mission.frame = (qtr_frame){250000, 3000000, -2000000, 0, 0};
+  table_export();
+  table_open(&policy);
   robot_init(&r, &policy, 0, false, robot_pilot_of_plan(&seeker), r.voice);
   place_at(start_cell(), 0.0, 0);
   act(0, UNREAD);

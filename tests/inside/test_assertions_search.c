@@ -49,7 +49,7 @@ static void bound_estimates(void) {
 }
 
 static void bound_ways_without_time(void) {
-  store32_le(table_game.steps + 4 * 1, 0); /* from place 0 to place 1 */
+  qtr_store32(table_game.steps + 4 * 1, 0); /* from place 0 to place 1 */
   begin_bound(table_ground);
 }
 

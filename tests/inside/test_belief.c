@@ -258,7 +258,7 @@ static void test_the_bytes_are_those_of_the_format(void) {
   belief.about = 0x01020304u;
   find(0);
   TEST_ASSERT_EQUAL_INT(56, qtr_belief_save(&belief, bytes, sizeof bytes));
-  TEST_ASSERT_EQUAL_HEX32(qtr_crc32_add(0, bytes + 16, 40), load32_le(bytes + 12));
+  TEST_ASSERT_EQUAL_HEX32(qtr_crc32_add(0, bytes + 16, 40), qtr_load32(bytes + 12));
   memset(bytes + 12, 0, 4);
   TEST_ASSERT_EQUAL_MEMORY(expected, bytes, sizeof expected);
 }
@@ -308,8 +308,8 @@ static void expect_forged(int status, uint32_t at, const void *value, uint32_t l
   const int size = save_some(2);
   memcpy(damaged, bytes, sizeof bytes);
   memcpy(damaged + at, value, length);
-  store32_le(damaged + QTR_BELIEF_CRC,
-             qtr_crc32_add(0, damaged + QTR_BELIEF_PLACES, (uint32_t)size - QTR_BELIEF_PLACES));
+  qtr_store32(damaged + QTR_BELIEF_CRC,
+              qtr_crc32_add(0, damaged + QTR_BELIEF_PLACES, (uint32_t)size - QTR_BELIEF_PLACES));
   TEST_ASSERT_EQUAL_INT(status, load_damaged((uint32_t)size));
 }
 
@@ -317,7 +317,7 @@ static void expect_forged_double(uint32_t at, double value) {
   uint64_t bits;
   uint8_t stored[8];
   memcpy(&bits, &value, sizeof bits);
-  store64_le(stored, bits);
+  qtr_store64(stored, bits);
   expect_forged(QTR_ERR_CORRUPT, at, stored, 8);
 }
 
@@ -340,10 +340,10 @@ static void test_more_places_than_the_build_holds_are_refused(void) {
   const double one = 1.0;
   save_some(1);
   memcpy(large, bytes, QTR_BELIEF_HEADER_BYTES);
-  store32_le(large + QTR_BELIEF_SIZE, size);
-  store16_le(large + QTR_BELIEF_PLACES, QTR_MAX_PLACES + 1);
+  qtr_store32(large + QTR_BELIEF_SIZE, size);
+  qtr_store16(large + QTR_BELIEF_PLACES, QTR_MAX_PLACES + 1);
   for (uint32_t at = QTR_BELIEF_HEADER_BYTES; at < size; at += 8) memcpy(large + at, &one, sizeof one);
-  store32_le(large + QTR_BELIEF_CRC, qtr_crc32_add(0, large + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES));
+  qtr_store32(large + QTR_BELIEF_CRC, qtr_crc32_add(0, large + QTR_BELIEF_PLACES, size - QTR_BELIEF_PLACES));
   TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, qtr_belief_load(&belief, large, size));
 }
 

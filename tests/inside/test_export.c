@@ -17,7 +17,7 @@ void tearDown(void) {
 }
 
 static double load_double(uint32_t offset) {
-  const uint64_t bits = load64_le(table_bytes + offset);
+  const uint64_t bits = qtr_load64(table_bytes + offset);
   double value;
   memcpy(&value, &bits, sizeof value);
   return value;
@@ -55,28 +55,30 @@ static void test_header_says_what_was_learnt(void) {
   table_export();
   qtr_learner_certificate(table_learner, &certificate);
   TEST_ASSERT_EQUAL_MEMORY("QTRP", table_bytes, 4);
-  TEST_ASSERT_EQUAL(QTR_POLICY_FORMAT, load16_le(table_bytes + QTR_POLICY_VERSION));
-  TEST_ASSERT_EQUAL_UINT32(table_size, load32_le(table_bytes + QTR_POLICY_SIZE));
-  TEST_ASSERT_EQUAL(7, load16_le(table_bytes + QTR_POLICY_COLUMNS));
-  TEST_ASSERT_EQUAL(2, load16_le(table_bytes + QTR_POLICY_ROWS));
-  TEST_ASSERT_EQUAL(3, load16_le(table_bytes + QTR_POLICY_PLACES));
+  TEST_ASSERT_EQUAL(QTR_POLICY_FORMAT, qtr_load16(table_bytes + QTR_POLICY_VERSION));
+  TEST_ASSERT_EQUAL_UINT32(table_size, qtr_load32(table_bytes + QTR_POLICY_SIZE));
+  TEST_ASSERT_EQUAL(7, qtr_load16(table_bytes + QTR_POLICY_COLUMNS));
+  TEST_ASSERT_EQUAL(2, qtr_load16(table_bytes + QTR_POLICY_ROWS));
+  TEST_ASSERT_EQUAL(3, qtr_load16(table_bytes + QTR_POLICY_PLACES));
   TEST_ASSERT_EQUAL(2, table_bytes[QTR_POLICY_SEEKERS]);
   TEST_ASSERT_EQUAL(2, table_bytes[QTR_POLICY_STARTS]);
   TEST_ASSERT_EQUAL(QTR_RULE_FREE, table_bytes[QTR_POLICY_RULE]);
   TEST_ASSERT_EQUAL(QTR_TIME, table_bytes[QTR_POLICY_OBJECTIVE]);
   TEST_ASSERT_EQUAL(1, table_bytes[QTR_POLICY_CERTIFIED]);
-  TEST_ASSERT_EQUAL_UINT64(1, load64_le(table_bytes + QTR_POLICY_SEED));
+  TEST_ASSERT_EQUAL_UINT64(1, qtr_load64(table_bytes + QTR_POLICY_SEED));
   TEST_ASSERT_TRUE(load_double(QTR_POLICY_GAMMA) == 0.99);
   TEST_ASSERT_TRUE(load_double(QTR_POLICY_VALUE) == certificate.value);
   TEST_ASSERT_TRUE(load_double(QTR_POLICY_TIME) == certificate.expected_time);
   TEST_ASSERT_TRUE(load_double(QTR_POLICY_BOUND) == certificate.bound);
   TEST_ASSERT_TRUE(load_double(QTR_POLICY_GAP) == certificate.gap);
-  TEST_ASSERT_EQUAL_UINT32(50000, load32_le(table_bytes + QTR_POLICY_CELL_SIZE));
-  TEST_ASSERT_EQUAL_INT64(-1234567, (int64_t)load64_le(table_bytes + QTR_POLICY_ORIGIN_X));
-  TEST_ASSERT_EQUAL_INT64(7654321, (int64_t)load64_le(table_bytes + QTR_POLICY_ORIGIN_Y));
+  TEST_ASSERT_EQUAL_UINT32(50000, qtr_load32(table_bytes + QTR_POLICY_CELL_SIZE));
+  TEST_ASSERT_EQUAL_INT64(-1234567, (int64_t)qtr_load64(table_bytes + QTR_POLICY_ORIGIN_X));
+  TEST_ASSERT_EQUAL_INT64(7654321, (int64_t)qtr_load64(table_bytes + QTR_POLICY_ORIGIN_Y));
   table_open(&policy);
-  TEST_ASSERT_EQUAL_UINT32(50000, policy.frame.cell_size_um);
-  TEST_ASSERT_EQUAL_INT64(-1234567, policy.frame.origin_x_um);
+  const qtr_frame frame = qtr_policy_frame(&policy);
+  TEST_ASSERT_EQUAL_UINT32(50000, frame.cell_size_um);
+  TEST_ASSERT_EQUAL_INT64(-1234567, frame.origin_x_um);
+  TEST_ASSERT_EQUAL_INT64(7654321, frame.origin_y_um);
 }
 
 static void test_weights_are_fixed_point_likelihoods(void) {
@@ -212,8 +214,9 @@ static void test_grid_is_cropped_to_what_can_be_reached(void) {
   TEST_ASSERT_EQUAL(2, policy.grid.rows);
   expect_mission_in_table();
   const qtr_grid whole = qtr_mission_grid(&table_mission);
+  const qtr_frame frame = qtr_policy_frame(&policy);
   for (unsigned cell = 0; cell < 12; cell++) {
-    TEST_ASSERT_TRUE(qtr_frame_centre(&policy.frame, &policy.grid, (qtr_cell)cell, &x, &y));
+    TEST_ASSERT_TRUE(qtr_frame_centre(&frame, &policy.grid, (qtr_cell)cell, &x, &y));
     TEST_ASSERT_TRUE(qtr_frame_centre(&table_mission.frame, &whole, (qtr_cell)on_map(cell), &x_there, &y_there));
     TEST_ASSERT_INT64_WITHIN(1, x_there, x);
     TEST_ASSERT_INT64_WITHIN(1, y_there, y);

@@ -3,6 +3,7 @@
  * played to its end whatever it says. */
 #include <string.h>
 
+#include "quarter/claim.h"
 #include "quarter/seeker.h"
 #include "support/forging.h"
 
@@ -102,8 +103,8 @@ static void test_caller_of_another_build_is_refused(void) {
 static void expect_field(int status, uint32_t offset, uint32_t value, unsigned bytes) {
   memcpy(copy, table_bytes, table_size);
   if (bytes == 1) copy[offset] = (uint8_t)value;
-  if (bytes == 2) store16_le(copy + offset, value);
-  if (bytes == 4) store32_le(copy + offset, value);
+  if (bytes == 2) qtr_store16(copy + offset, value);
+  if (bytes == 4) qtr_store32(copy + offset, value);
   table_seal(copy, table_size);
   snprintf(case_note, sizeof case_note, "%u at offset %u", (unsigned)value, (unsigned)offset);
   TEST_ASSERT_EQUAL_INT_MESSAGE(status, open_copy(), case_note);
@@ -139,8 +140,8 @@ static void test_more_than_the_build_holds_is_refused(void) {
   expect_field(QTR_ERR_LIMIT, QTR_POLICY_PLACES, QTR_MAX_PLACES + 1, 2);
   expect_field(QTR_ERR_LIMIT, QTR_POLICY_SEEKERS, QTR_MAX_SEEKERS + 1, 1);
   memcpy(copy, table_bytes, table_size);
-  store16_le(copy + QTR_POLICY_COLUMNS, 65535);
-  store16_le(copy + QTR_POLICY_ROWS, 65535);
+  qtr_store16(copy + QTR_POLICY_COLUMNS, 65535);
+  qtr_store16(copy + QTR_POLICY_ROWS, 65535);
   table_seal(copy, table_size);
   TEST_ASSERT_EQUAL_INT(QTR_ERR_LIMIT, open_copy());
 }
@@ -160,7 +161,7 @@ static void test_gap_in_the_table_is_refused(void) {
   make_table();
   for (uint32_t more = 1; more <= 16; more++) {
     memset(copy + table_size, 0, more);
-    store32_le(copy + QTR_POLICY_SIZE, table_size + more);
+    qtr_store32(copy + QTR_POLICY_SIZE, table_size + more);
     table_seal(copy, table_size + more);
     TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_policy_open(&policy, copy, table_size + more));
   }
@@ -217,13 +218,25 @@ static void test_records_out_of_order_or_twice_are_refused(void) {
 
 static void test_table_of_a_build_that_plays_otherwise_is_refused(void) {
   make_table();
-  expect_field(QTR_ERR_SELFTEST, QTR_POLICY_DIGEST, load32_le(table_bytes + QTR_POLICY_DIGEST) ^ 1, 4);
+  expect_field(QTR_ERR_SELFTEST, QTR_POLICY_DIGEST, qtr_load32(table_bytes + QTR_POLICY_DIGEST) ^ 1, 4);
   expect_field(QTR_ERR_SELFTEST, QTR_POLICY_KEY_WORDS, policy.board.keys.words + 1, 1);
+}
+
+/* The certificate is for people: hosts check it. */
+static void test_robot_plays_a_table_whose_objective_it_does_not_know_and_a_host_refuses_it(void) {
+  qtr_claim claim;
+  make_table();
+  copy[QTR_POLICY_OBJECTIVE] = 99;
+  table_seal(copy, table_size);
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_policy_open(&policy, copy, table_size));
+  TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_policy_check(&policy));
+  qtr_claim_read(&claim, &policy);
+  TEST_ASSERT_EQUAL_UINT8(0, claim.objective);
 }
 
 static const uint8_t *key_bytes(const qtr_key *key) {
   static uint8_t bytes[4];
-  store32_le(bytes, key->word[0]);
+  qtr_store32(bytes, key->word[0]);
   return bytes;
 }
 
@@ -284,8 +297,8 @@ static void mutate(test_random *random) {
   const unsigned kind = random_below(random, 4);
   if (kind == 0) copy[at] = (uint8_t)(copy[at] ^ 1u << random_below(random, 8));
   if (kind == 1) copy[at] = (uint8_t)random_bits(random);
-  if (kind == 2) store32_le(copy + at / 4 * 4, telling[random_below(random, 8)]);
-  if (kind == 3) store32_le(copy + at / 4 * 4, random_below(random, 40));
+  if (kind == 2) qtr_store32(copy + at / 4 * 4, telling[random_below(random, 8)]);
+  if (kind == 3) qtr_store32(copy + at / 4 * 4, random_below(random, 40));
 }
 
 static void test_forged_tables_are_refused_or_harmless(void) {
@@ -311,11 +324,11 @@ static void test_forged_tables_are_refused_or_harmless(void) {
 
 static void forget_records(void) {
   const uint32_t bytes = policy.records * policy.records_shape.bytes;
-  const uint32_t at = (uint32_t)(policy.record - table_bytes);
+  const uint32_t at = policy.at[SECTION_RECORDS];
   memmove(copy + at, copy + at + bytes, table_size - at - bytes);
   table_size -= bytes;
-  store32_le(copy + QTR_POLICY_SIZE, table_size);
-  store32_le(copy + QTR_POLICY_RECORDS, 0);
+  qtr_store32(copy + QTR_POLICY_SIZE, table_size);
+  qtr_store32(copy + QTR_POLICY_RECORDS, 0);
   TEST_ASSERT_EQUAL_INT(QTR_OK, table_forge(&policy, copy, table_size));
 }
 
@@ -407,6 +420,7 @@ int main(void) {
   RUN_TEST(test_choices_out_of_range_are_refused);
   RUN_TEST(test_records_out_of_order_or_twice_are_refused);
   RUN_TEST(test_table_of_a_build_that_plays_otherwise_is_refused);
+  RUN_TEST(test_robot_plays_a_table_whose_objective_it_does_not_know_and_a_host_refuses_it);
   RUN_TEST(test_record_that_changes_the_game_is_refused);
   RUN_TEST(test_forged_tables_are_refused_or_harmless);
   RUN_TEST(test_off_the_table_the_most_weight_for_a_step_is_chosen);

@@ -21,10 +21,6 @@ static void expect(int status) {
   table_take(&policy);
 }
 
-static uint32_t offset_of(const uint8_t *section) {
-  return (uint32_t)(section - table_bytes);
-}
-
 /* ---- travel times ---- */
 
 /* Two seekers with a start each, four places, terrain. */
@@ -103,7 +99,7 @@ static void test_way_into_a_part_of_the_map_and_not_back_is_refused(void) {
 static void test_place_that_only_an_empty_start_reaches_is_refused(void) {
   table_draw("S1.#.2S", 0);
   table_take(&policy);
-  store16_le(table_copy + QTR_POLICY_HEADER_BYTES + 2, 0);
+  qtr_store16(table_copy + QTR_POLICY_HEADER_BYTES + 2, 0);
   expect(QTR_ERR_TRAVEL);
 }
 
@@ -128,8 +124,8 @@ static void test_way_from_a_place_to_itself_that_takes_time_is_refused(void) {
 
 static void test_two_places_in_one_cell_are_refused(void) {
   make_table();
-  const uint32_t cells = offset_of(policy.cells);
-  store32_le(table_copy + cells + 4, load32_le(table_copy + cells));
+  const uint32_t cells = policy.at[SECTION_CELLS];
+  qtr_store32(table_copy + cells + 4, qtr_load32(table_copy + cells));
   set_steps(0, 1, 0);
   set_steps(1, 0, 0);
   expect(QTR_ERR_TRAVEL);
@@ -139,14 +135,14 @@ static void test_two_places_in_one_cell_are_refused(void) {
 
 static void test_likelihoods_that_do_not_sum_to_one_are_refused(void) {
   make_table();
-  const uint32_t at = offset_of(policy.weights);
-  const uint32_t weight = load32_le(table_copy + at);
+  const uint32_t at = policy.at[SECTION_WEIGHTS];
+  const uint32_t weight = qtr_load32(table_copy + at);
   uint64_t sum = 0;
   for (unsigned place = 0; place < 4; place++) sum += qtr_policy_weight(&policy, place);
   const uint32_t most = (uint32_t)(((uint64_t)1 << 32) + 4 - sum) + weight;
   const uint32_t tried[] = {most, most + 1, most - 8, most - 9, 1, UINT32_MAX};
   for (unsigned i = 0; i < 6; i++) {
-    store32_le(table_copy + at, tried[i]);
+    qtr_store32(table_copy + at, tried[i]);
     expect(i % 2 == 0 && i < 4 ? QTR_OK : QTR_ERR_CORRUPT);
   }
 }
@@ -156,12 +152,12 @@ static void test_likelihoods_that_do_not_sum_to_one_are_refused(void) {
 static void set_double(uint32_t offset, double value) {
   uint64_t bits;
   memcpy(&bits, &value, sizeof bits);
-  store64_le(table_copy + offset, bits);
+  qtr_store64(table_copy + offset, bits);
   snprintf(case_note, sizeof case_note, "%g at offset %u", value, (unsigned)offset);
 }
 
 static double get_double(uint32_t offset) {
-  const uint64_t bits = load64_le(table_bytes + offset);
+  const uint64_t bits = qtr_load64(table_bytes + offset);
   double value;
   memcpy(&value, &bits, sizeof value);
   return value;
@@ -278,7 +274,7 @@ static void test_map_without_metres_lies_nowhere(void) {
   make_table();
   expect_byte(QTR_POLICY_ORIGIN_X, 1);
   expect_byte(QTR_POLICY_ORIGIN_Y + 7, 0x80);
-  store32_le(table_copy + QTR_POLICY_CELL_SIZE, 50000);
+  qtr_store32(table_copy + QTR_POLICY_CELL_SIZE, 50000);
   table_copy[QTR_POLICY_ORIGIN_X] = 1;
   expect(QTR_OK);
 }
@@ -286,10 +282,10 @@ static void test_map_without_metres_lies_nowhere(void) {
 static void test_turn_that_is_no_angle_is_refused(void) {
   make_table();
   expect_byte(QTR_POLICY_COSINE, 1);
-  store32_le(table_copy + QTR_POLICY_CELL_SIZE, 50000);
+  qtr_store32(table_copy + QTR_POLICY_CELL_SIZE, 50000);
   expect_byte(QTR_POLICY_SINE, 1);
-  store32_le(table_copy + QTR_POLICY_CELL_SIZE, 50000);
-  store32_le(table_copy + QTR_POLICY_SINE, (uint32_t)-QTR_FRAME_ONE);
+  qtr_store32(table_copy + QTR_POLICY_CELL_SIZE, 50000);
+  qtr_store32(table_copy + QTR_POLICY_SINE, (uint32_t)-QTR_FRAME_ONE);
   expect(QTR_OK);
 }
 
@@ -308,7 +304,7 @@ static void test_grid_that_does_not_lie_on_its_map_is_refused(void) {
 static void test_feature_of_a_later_version_is_refused(void) {
   make_table();
   for (unsigned bit = 2; bit < 32; bit++) {
-    store32_le(table_copy + QTR_POLICY_FEATURES, (uint32_t)1 << bit);
+    qtr_store32(table_copy + QTR_POLICY_FEATURES, (uint32_t)1 << bit);
     expect(QTR_ERR_FORMAT);
   }
 }
@@ -321,7 +317,7 @@ static void make_regions(void) {
 }
 
 static void expect_region(int status, unsigned cell, unsigned region) {
-  store16_le(table_copy + offset_of(policy.regions) + 2 * cell, region);
+  qtr_store16(table_copy + policy.at[SECTION_REGIONS] + 2 * cell, region);
   snprintf(case_note, sizeof case_note, "cell %u in region %u", cell, region);
   expect(status);
 }

@@ -37,7 +37,7 @@ static void set_board(unsigned places, unsigned seekers, unsigned longest) {
   board.starts = 1;
   board.step_bytes = 4;
   board.steps = steps;
-  for (unsigned i = 0; i < (places + 1) * places; i++) store32_le(steps + 4 * i, longest);
+  for (unsigned i = 0; i < (places + 1) * places; i++) qtr_store32(steps + 4 * i, longest);
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
   memset(words, 0xA5, 1 << 14);
   qtr_qtable_init(&table, words, QTR_QTABLE_WORDS, &board.keys, precise);

@@ -9,7 +9,7 @@
 
 /* Make the checksum right again. */
 static inline void table_seal(uint8_t *bytes, uint32_t size) {
-  store32_le(bytes + QTR_POLICY_CRC, qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
+  qtr_store32(bytes + QTR_POLICY_CRC, qtr_crc32_add(0, bytes + QTR_POLICY_COLUMNS, size - QTR_POLICY_COLUMNS));
 }
 
 /* Open, and check as a host does. */
@@ -23,7 +23,7 @@ static inline int table_forge_for_robots(qtr_policy *policy, uint8_t *bytes, uin
   table_seal(bytes, size);
   const int status = qtr_policy_open(policy, bytes, size);
   if (status != QTR_ERR_SELFTEST || policy->board.keys.words != bytes[QTR_POLICY_KEY_WORDS]) return status;
-  store32_le(bytes + QTR_POLICY_DIGEST, qtr_policy_digest(policy));
+  qtr_store32(bytes + QTR_POLICY_DIGEST, qtr_policy_digest(policy));
   table_seal(bytes, size);
   return qtr_policy_open(policy, bytes, size);
 }

@@ -1,6 +1,7 @@
 #include "host/table/robot_memory.h"
 
 #include "quarter/grid.h"
+#include "quarter/policy.h"
 
 const robot_processor robot_processor_32_bits = {.pointer = 4, .alignment = 8};
 
@@ -56,14 +57,6 @@ static layout grid_of(const robot_processor *processor) {
   return l;
 }
 
-static layout frame_of(const robot_processor *processor) {
-  layout l = begin(processor);
-  put(&l, 1, 4); /* cell_size_um */
-  put(&l, 2, 8); /* origin */
-  put(&l, 2, 4); /* cosine, sine */
-  return l;
-}
-
 static layout key_shape_of(const robot_sizes *sizes, const robot_processor *processor) {
   layout l = begin(processor);
   put(&l, 2, 2); /* places, nodes */
@@ -90,12 +83,11 @@ static layout policy_of(const robot_sizes *sizes, const robot_processor *process
   layout l = begin(processor);
   put_pointers(&l, 1);
   put(&l, 1, 4); /* size */
-  put_struct(&l, grid_of(processor));
-  put_struct(&l, frame_of(processor));
+  put(&l, 6, 1); /* format, features, any_start, records_shape */
   put_struct(&l, board_of(sizes, processor));
+  put_struct(&l, grid_of(processor));
   put(&l, 1, 4); /* records */
-  put_pointers(&l, 5);
-  put(&l, 5, 1); /* format, cell_bytes, records_shape */
+  put(&l, QTR_POLICY_SECTIONS, 4);
   return l;
 }
 
@@ -118,37 +110,37 @@ static layout joint_of(const robot_sizes *sizes, const robot_processor *processo
 static layout division_of(const robot_sizes *sizes, const robot_processor *processor) {
   const uint64_t seekers = sizes->of[ROBOT_SEEKERS], moves = sizes->of[ROBOT_PLACES] + seekers * seekers;
   layout l = begin(processor);
-  put_struct(&l, joint_of(sizes, processor));
-  put(&l, 1, 4); /* off_table */
   put(&l, 1, 2); /* moves */
   put(&l, moves, 2);
   put(&l, moves, 1);
+  put(&l, 1, 4); /* off_table */
+  put_struct(&l, joint_of(sizes, processor));
   return l;
 }
 
 static layout seeker_of(const robot_sizes *sizes, const robot_processor *processor) {
   layout l = begin(processor);
   put_pointers(&l, 1);
+  put(&l, 1, 2);                                   /* target */
+  put(&l, 2, 1);                                   /* territory, self */
+  put(&l, 5, 1);                                   /* what holds and what does not */
+  put(&l, 3 * words(sizes->of[ROBOT_SEEKERS]), 4); /* done, unsaid, lost */
+  put(&l, 3 * words(sizes->of[ROBOT_PLACES]), 4);  /* visited, blocked, retry */
+  put(&l, 3, 4);                                   /* identity, run, foreign */
   put_struct(&l, deployment_of(sizes, processor));
   put_struct(&l, division_of(sizes, processor));
-  put(&l, 3, 4);                                   /* identity, run, foreign */
-  put(&l, 3 * words(sizes->of[ROBOT_PLACES]), 4);  /* visited, blocked, retry */
-  put(&l, 3 * words(sizes->of[ROBOT_SEEKERS]), 4); /* done, unsaid, lost */
-  put(&l, 1, 2);                                   /* target */
-  put(&l, 2, 1);                                   /* self, territory */
-  put(&l, 5, 1);                                   /* what holds and what does not */
   return l;
 }
 
 static layout field_of(const robot_sizes *sizes, const robot_processor *processor) {
   const unsigned cell = sizes->of[ROBOT_CELLS] <= 65535 ? 2 : 4;
   layout l = begin(processor);
-  put(&l, sizes->of[ROBOT_CELLS], sizes->of[ROBOT_CELLS] < 4096 ? 2 : 4);
-  put(&l, QTR_TRAVEL_RING, cell);
-  put(&l, 1, 4);    /* cells */
-  put(&l, 2, cell); /* first, at */
-  put(&l, 1, 2);    /* empty */
   put(&l, 2, 1);    /* now, direction */
+  put(&l, 1, 2);    /* empty */
+  put(&l, 2, cell); /* first, at */
+  put(&l, 1, 4);    /* cells */
+  put(&l, QTR_TRAVEL_RING, cell);
+  put(&l, sizes->of[ROBOT_CELLS], sizes->of[ROBOT_CELLS] < 4096 ? 2 : 4);
   return l;
 }
 

@@ -130,13 +130,13 @@ const char *table_map_row(char *text, const table *t, unsigned row) {
 }
 
 void table_map_origin(const table *t, double *x, double *y) {
-  const qtr_frame *frame = &t->policy.frame;
-  const bool is_turned = frame->cosine != 0 || frame->sine != 0;
-  const double cosine = is_turned ? (double)frame->cosine / QTR_FRAME_ONE : 1.0;
-  const double sine = (double)frame->sine / QTR_FRAME_ONE;
-  const double side = frame->cell_size_um / 1e6;
+  const qtr_frame frame = qtr_policy_frame(&t->policy);
+  const bool is_turned = frame.cosine != 0 || frame.sine != 0;
+  const double cosine = is_turned ? (double)frame.cosine / QTR_FRAME_ONE : 1.0;
+  const double sine = (double)frame.sine / QTR_FRAME_ONE;
+  const double side = frame.cell_size_um / 1e6;
   const double right = t->claim.left * side;
   const double up = (t->claim.map_rows - t->claim.top - t->policy.grid.rows) * side;
-  *x = (double)frame->origin_x_um / 1e6 - (cosine * right - sine * up);
-  *y = (double)frame->origin_y_um / 1e6 - (sine * right + cosine * up);
+  *x = (double)frame.origin_x_um / 1e6 - (cosine * right - sine * up);
+  *y = (double)frame.origin_y_um / 1e6 - (sine * right + cosine * up);
 }

@@ -59,7 +59,7 @@ static int check_times_to(const qtr_policy *policy, const qtr_field *field, unsi
 /* A cell's region stands in for it: what one reaches the other must. */
 static int check_regions_to(const qtr_policy *policy, const qtr_field *field, unsigned place, const char *path,
                             fault *why) {
-  const uint32_t cells = policy->regions != NULL ? qtr_grid_cells(&policy->grid) : 0;
+  const uint32_t cells = policy->any_start ? qtr_grid_cells(&policy->grid) : 0;
   for (uint32_t cell = 0; cell < cells; cell++) {
     if (qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) continue;
     const unsigned start = qtr_policy_region(policy, (qtr_cell)cell);

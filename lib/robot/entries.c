@@ -1,0 +1,59 @@
+#include "quarter/policy.h"
+
+#include <stddef.h>
+
+#include "core/bytes.h"
+#include "quarter/status.h"
+#include "robot/checks.h"
+#include "robot/layout.h"
+
+/* Read when it is asked for: a robot that is told its cell has no use for it. A map of format 1 was never turned: those bytes were
+ * no part of its header. */
+qtr_frame qtr_policy_frame(const qtr_policy *policy) {
+  const uint8_t *bytes = policy->bytes;
+  const bool can_turn = !is_format_1(policy->format);
+  return (qtr_frame){.cell_size_um = qtr_load32(bytes + QTR_POLICY_CELL_SIZE),
+                     .origin_x_um = (int64_t)qtr_load64(bytes + QTR_POLICY_ORIGIN_X),
+                     .origin_y_um = (int64_t)qtr_load64(bytes + QTR_POLICY_ORIGIN_Y),
+                     .cosine = can_turn ? (int32_t)qtr_load32(bytes + QTR_POLICY_COSINE) : 0,
+                     .sine = can_turn ? (int32_t)qtr_load32(bytes + QTR_POLICY_SINE) : 0};
+}
+
+/* The cell of a node, as it stands in the table. */
+static uint32_t cell_at(const qtr_policy *policy, unsigned node) {
+  const uint8_t bytes = cell_bytes_of(policy->format, qtr_grid_cells(&policy->grid));
+  const uint8_t *at = section_of(policy, SECTION_CELLS) + (bytes * (uint32_t)node);
+  return (bytes == 2u) ? qtr_load16(at) : qtr_load32(at);
+}
+
+int qtr_check_nodes(const qtr_policy *policy) {
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
+  for (unsigned node = 0; node < qtr_board_nodes(&policy->board); node++) {
+    if (cell_at(policy, node) >= cells) {
+      return QTR_ERR_CORRUPT;
+    }
+  }
+  return QTR_OK;
+}
+
+/* All three answer for any number: they are asked with what comes from poses and radios. */
+qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
+  if (node >= qtr_board_nodes(&policy->board)) {
+    return QTR_NO_CELL;
+  }
+  const uint32_t cell = cell_at(policy, node);
+  QTR_ASSERT(cell < qtr_grid_cells(&policy->grid)); /* as it was when the table was opened */
+  return (qtr_cell)cell;
+}
+
+/* Likelihoods in units of 2^-32: a robot only compares them. */
+uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place) {
+  return (place < policy->board.places) ? qtr_load32(section_of(policy, SECTION_WEIGHTS) + (4u * place)) : 0u;
+}
+
+unsigned qtr_policy_region(const qtr_policy *policy, qtr_cell cell) {
+  if (!policy->any_start || (cell >= qtr_grid_cells(&policy->grid))) {
+    return QTR_POLICY_NO_REGION;
+  }
+  return (unsigned)qtr_load16(section_of(policy, SECTION_REGIONS) + (2u * (uint32_t)cell));
+}
