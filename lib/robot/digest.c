@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 
+#include "core/apart.h"
 #include "core/bytes.h"
 #include "core/crc.h"
 #include "quarter/deployment.h"
@@ -9,7 +10,7 @@
 #include "robot/layout.h"
 
 /* A choice, and the step at which it is made: eight bytes, none of them of the machine's own order. */
-static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
+QTR_APART static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
   uint8_t line[8] = {(uint8_t)seeker, 0, 0, 0, 0, 0, 0, 0};
   qtr_store16(line + 2u, choice);
   qtr_store32(line + 4u, now);

@@ -2,6 +2,7 @@
 
 #include <stdbool.h>
 
+#include "core/apart.h"
 #include "quarter/status.h"
 #include "robot/bits.h"
 
@@ -66,8 +67,8 @@ static bool comes_before(const qtr_key_shape *shape, const uint16_t *node, const
 }
 
 /* Seekers of a kind are interchangeable: sorted, who is who is gone from the key. Kinds stay apart, in one order always. */
-static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], const qtr_key_shape *shape, const uint16_t *node,
-                         const qtr_steps *remaining) {
+QTR_APART static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], const qtr_key_shape *shape, const uint16_t *node,
+                                   const qtr_steps *remaining) {
   for (unsigned i = 0; i < shape->seekers; i++) {
     unsigned at = i;
     for (; (at > 0u) && comes_before(shape, node, remaining, i, order[at - 1u]); at--) {

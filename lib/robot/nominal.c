@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 
+#include "core/apart.h"
 #include "core/bytes.h"
 #include "core/crc.h"
 #include "quarter/status.h"
@@ -56,8 +57,8 @@ static bool is_likelier(const qtr_policy *policy, unsigned seeker, unsigned from
 }
 
 /* As in Smith's rule for the least weighted sum of times; of equal ones the lowest number, or robots would differ. */
-static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, int seeker,
-                               const qtr_places *choices) {
+QTR_APART static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, int seeker,
+                                         const qtr_places *choices) {
   uint16_t best = QTR_STAND_DOWN;
   for (uint16_t place = 0; place < policy->board.places; place++) {
     if (place_is_in(choices, place) &&
