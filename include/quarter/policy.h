@@ -67,7 +67,8 @@ int qtr_policy_check(const qtr_policy *policy);
 /* Where the table's grid lies in the world. */
 qtr_frame qtr_policy_frame(const qtr_policy *policy);
 
-/* The cell of a node: of place p for p < places, of start s for places + s; QTR_NO_CELL if there is no such node. */
+/* The cell of a node: of place p for p < places, of start s for places + s; QTR_NO_CELL if there is no such node,
+ * or the table puts it off the grid. */
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node);
 
 /* A place's likelihood in units of 2^-32, 1 or more; 0 if there is no such place. */

@@ -63,7 +63,7 @@ static int check_padding(const qtr_policy *policy) {
   return ((policy->grid.cells[cells / 8u] >> (cells % 8u)) == 0u) ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
-/* Robots drive to free cells. */
+/* Robots drive to free cells. One that is off the grid costs nothing, as a blocked one. */
 static int check_free(const qtr_policy *policy) {
   for (unsigned node = 0; node < qtr_board_nodes(&policy->board); node++) {
     if (qtr_grid_cost(&policy->grid, qtr_policy_cell(policy, node)) == 0u) {

@@ -11,9 +11,9 @@
 
 /* A choice, and the step at which it is made: eight bytes, none of them of the machine's own order. */
 QTR_APART static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
-  uint8_t line[8] = {(uint8_t)seeker, 0, 0, 0, 0, 0, 0, 0};
-  qtr_store16(line + 2u, choice);
-  qtr_store32(line + 4u, now);
+  uint8_t line[8];
+  qtr_store32(line, (uint32_t)seeker | ((uint32_t)choice << 16));
+  qtr_store32(line + 4, now);
   return qtr_crc32_add(digest, line, sizeof line);
 }
 

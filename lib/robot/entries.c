@@ -4,7 +4,6 @@
 
 #include "core/bytes.h"
 #include "quarter/status.h"
-#include "robot/checks.h"
 #include "robot/layout.h"
 
 /* Read when it is asked for: a robot that is told its cell has no use for it. A map of format 1 was never turned: those bytes were
@@ -19,31 +18,16 @@ qtr_frame qtr_policy_frame(const qtr_policy *policy) {
                      .sine = can_turn ? (int32_t)qtr_load32(bytes + QTR_POLICY_SINE) : 0};
 }
 
-/* The cell of a node, as it stands in the table. */
-static uint32_t cell_at(const qtr_policy *policy, unsigned node) {
-  const uint8_t bytes = cell_bytes_of(policy->format, qtr_grid_cells(&policy->grid));
-  const uint8_t *at = section_of(policy, SECTION_CELLS) + (bytes * (uint32_t)node);
-  return (bytes == 2u) ? qtr_load16(at) : qtr_load32(at);
-}
-
-int qtr_check_nodes(const qtr_policy *policy) {
-  const uint32_t cells = qtr_grid_cells(&policy->grid);
-  for (unsigned node = 0; node < qtr_board_nodes(&policy->board); node++) {
-    if (cell_at(policy, node) >= cells) {
-      return QTR_ERR_CORRUPT;
-    }
-  }
-  return QTR_OK;
-}
-
 /* All three answer for any number: they are asked with what comes from poses and radios. */
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
   if (node >= qtr_board_nodes(&policy->board)) {
     return QTR_NO_CELL;
   }
-  const uint32_t cell = cell_at(policy, node);
-  QTR_ASSERT(cell < qtr_grid_cells(&policy->grid)); /* as it was when the table was opened */
-  return (qtr_cell)cell;
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
+  const uint8_t bytes = cell_bytes_of(policy->format, cells);
+  const uint8_t *at = section_of(policy, SECTION_CELLS) + (bytes * (uint32_t)node);
+  const uint32_t cell = (bytes == 2u) ? qtr_load16(at) : qtr_load32(at);
+  return (cell < cells) ? (qtr_cell)cell : QTR_NO_CELL;
 }
 
 /* Likelihoods in units of 2^-32: a robot only compares them. */

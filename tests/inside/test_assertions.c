@@ -150,11 +150,6 @@ static void test_board_and_joint_game(void) {
 
 /* ---- an open policy stays as it was opened ---- */
 
-static void move_a_node_off_the_grid(void) {
-  qtr_store16(copy + policy.at[SECTION_CELLS], 14);
-  qtr_policy_cell(&policy, 0);
-}
-
 static void lay_out_more_than_32_bits(void) {
   policy.board.places = QTR_MAX_PLACES + 1;
   qtr_layout_find(&policy);
@@ -176,7 +171,6 @@ static void follow_times_of_another_grid(void) {
 
 static void test_open_policy(void) {
   TEST_ASSERT_GREATER_THAN_UINT32(1, policy.records);
-  expect_death("a node lies on the grid", move_a_node_off_the_grid);
   expect_death("sections have sizes of 32 bits", lay_out_more_than_32_bits);
   expect_death("and a grid that the build holds", lay_out_more_cells_than_there_are);
   expect_death("travel times are of their grid", follow_times_of_another_grid);
