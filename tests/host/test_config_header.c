@@ -39,6 +39,11 @@ static void test_numbers_are_as_c_writes_them(void) {
          "# define\tQTR_MAX_CELLS 0x400u\n  #define QTR_MAX_PLACES 16ul /* few */\n#define QTR_MAX_SEEKERS 010 // 8");
 }
 
+static void test_the_largest_sizes_are_taken(void) {
+  expect(16777216, 4096, 64,
+         "#define QTR_MAX_CELLS 16777216\n#define QTR_MAX_PLACES 4096\n#define QTR_MAX_SEEKERS 64\n");
+}
+
 static void test_guards_are_seen_through(void) {
   expect(400, 20, 2,
          "#ifndef MINE_H\n/* a\n#define QTR_MAX_CELLS 7\n*/\n#define MINE_H\n#include <stdint.h>\n#ifdef "
@@ -63,6 +68,10 @@ static void test_what_only_the_compiler_knows_is_refused(void) {
   refuse("mine.h:1", "no plain number", "#define QTR_MAX_CELLS 4294967296\n");
   refuse("mine.h:1", "no plain number", "#define QTR_MAX_CELLS 99999999999999999999999\n");
   refuse("mine.h:1", "no plain number", "#define QTR_MAX_CELLS 40\\\n0\n");
+  refuse("mine.h:1", "is 16777217, and quarter/config.h takes at most 16777216; lower it",
+         "#define QTR_MAX_CELLS 16777217\n");
+  refuse("mine.h:1", "is 4097, and quarter/config.h takes at most 4096", "#define QTR_MAX_PLACES 4097\n");
+  refuse("mine.h:1", "is 65, and quarter/config.h takes at most 64", "#define QTR_MAX_SEEKERS 65\n");
   refuse("mine.h:3", "in line 1 already", "#define QTR_MAX_CELLS 4\n\n#define QTR_MAX_CELLS 4\n");
   refuse("mine.h:2", "undefined", "#define QTR_MAX_CELLS 4\n#undef QTR_MAX_CELLS\n");
   refuse("mine.h:1", "included", "#include \"sizes.h\"\n#define QTR_MAX_CELLS 4\n");
@@ -91,6 +100,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_what_is_stated_is_taken_and_the_rest_stays);
   RUN_TEST(test_numbers_are_as_c_writes_them);
+  RUN_TEST(test_the_largest_sizes_are_taken);
   RUN_TEST(test_guards_are_seen_through);
   RUN_TEST(test_what_only_the_compiler_knows_is_refused);
   RUN_TEST(test_a_file_without_sizes_is_refused);

@@ -1,6 +1,7 @@
 #include "host/table/config_header.h"
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -117,6 +118,10 @@ static int read_size(reader *r, int size, const char *value, fault *why) {
   if (!read_number(&r->sizes->of[size], value))
     return file_fault(why, r->path, line, 0, "%s is '%.60s', no plain number of 1 or more; write the number", macro,
                       value);
+  if (r->sizes->of[size] > robot_size_most[size])
+    return file_fault(why, r->path, line, 0,
+                      "%s is %" PRIu32 ", and quarter/config.h takes at most %" PRIu32 "; lower it", macro,
+                      r->sizes->of[size], robot_size_most[size]);
   r->stated[size] = line;
   return 0;
 }

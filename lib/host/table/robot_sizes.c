@@ -18,6 +18,8 @@ const robot_sizes robot_sizes_mcu = {
 const char *const robot_size_macro[ROBOT_SIZES] = {
     [ROBOT_CELLS] = PREFIX "CELLS", [ROBOT_PLACES] = PREFIX "PLACES", [ROBOT_SEEKERS] = PREFIX "SEEKERS"};
 
+const uint32_t robot_size_most[ROBOT_SIZES] = {[ROBOT_CELLS] = 16777216, [ROBOT_PLACES] = 4096, [ROBOT_SEEKERS] = 64};
+
 const char *robot_size_word(int size) {
   return robot_size_macro[size] + sizeof PREFIX - 1;
 }

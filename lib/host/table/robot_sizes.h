@@ -15,6 +15,9 @@ typedef struct {
 extern const char *const robot_size_macro[ROBOT_SIZES];
 const char *robot_size_word(int size);
 
+/* What quarter/config.h takes of each at most. */
+extern const uint32_t robot_size_most[ROBOT_SIZES];
+
 /* Those of the profile QTR_PROFILE_MCU, whatever this build's are. */
 extern const robot_sizes robot_sizes_mcu;
 
