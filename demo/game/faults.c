@@ -29,7 +29,7 @@ static int read_number(tree *yaml, tree_node *item, const char *key, double leas
   if (node == NULL) return 0;
   if (tree_number(yaml, node, key, number) != 0) return -1;
   if (*number >= least && *number <= most) return 0;
-  return tree_fault(yaml, node, "%s: %g is not from %g to %g", key, *number, least, most);
+  return tree_fault(yaml, node, "%s: %.10g is not from %.10g to %.10g", key, *number, least, most);
 }
 
 static int read_robot(tree *yaml, tree_node *item, const char *key, int robots, int *robot) {

@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+import os
 import re
 import subprocess
 
@@ -108,6 +109,8 @@ class TestMcap(Bridge):
         key.write_bytes(b"short")
         key.chmod(0o600)
         self.refuse("32 to 4096 bytes", log, "--mcap", self.mcap, "--key", key)
+        os.mkfifo(self.folder / "pipe.key", 0o600)
+        self.refuse("pipe.key: is a device or pipe", log, "--mcap", self.mcap, "--key", self.folder / "pipe.key")
         self.refuse("no.key: cannot be read", log, "--mcap", self.mcap, "--key", self.folder / "no.key")
 
     def test_a_report_that_cannot_be_printed_is_said(self):

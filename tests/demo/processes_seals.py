@@ -122,7 +122,7 @@ class Seals(Case):
     def test_keys_that_are_none_are_refused_with_one_line(self):
         self.need_seals()
         keys = ((self.key("short.key", KEY[:-1]), "31"), (self.key("empty.key", b""), "empty"),
-                (self.key("open.key", mode=0o640), "chmod 600"), (self.key("long.key", bytes(5000)), "long.key"),
+                (self.key("open.key", mode=0o640), "chmod 600"), (self.key("long.key", bytes(5000)), "4096 bytes"),
                 (self.folder / "none.key", "none.key"), (self.folder, "folder"))
         for path, says in keys:
             for words in (robot(0, "--key", path), world("--key", path), demo("--processes", "--key", path),

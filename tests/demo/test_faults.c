@@ -117,7 +117,7 @@ static void test_what_cannot_be_shut_is_refused(void) {
 static void test_resets_that_cannot_be_are_refused(void) {
   refuse("faults:\n  - {at: 1, reset: 4}\n", 2, "there is no robot 4; they are 0 to 3");
   refuse("faults:\n  - {at: -0.5, reset: 1}\n", 2, "at: -0.5 is not from 0");
-  refuse("faults:\n  - {at: 1, reset: 1, for: 0.5}\n", 2, "for: 0.5 is not from 1");
+  refuse("faults:\n  - {at: 1, reset: 1, for: 0.5}\n", 2, "for: 0.5 is not from 1 to 1000000");
   refuse("faults:\n  - {at: 1, shut: 1, for: 5}\n", 2, "for goes with stuck and reset");
   refuse("faults:\n  - {at: 1, reset: 1, robot: 2}\n", 2, "robot goes with slip");
 }

@@ -7,6 +7,7 @@ import importlib.util
 import os
 import re
 import shutil
+import stat
 import struct
 import subprocess
 import sys
@@ -83,13 +84,21 @@ def generate(lcm_gen):
             sys.path.remove(folder)
 
 
+def open_at_once(path, flags):
+    """A pipe that nobody writes to would keep it waiting."""
+    return os.open(path, flags | os.O_NONBLOCK)
+
+
 def read_key(path):
     """The key of a team's seal, as demo/bus/seal.c reads it."""
     try:
-        with open(path, "rb") as file:
-            mode, text = os.fstat(file.fileno()).st_mode, file.read(KEY_FILE_MOST + 1)
+        with open(path, "rb", opener=open_at_once) as file:
+            mode = os.fstat(file.fileno()).st_mode
+            text = file.read(KEY_FILE_MOST + 1) if stat.S_ISREG(mode) else b""
     except OSError as error:
         raise Fault(f"{path}: cannot be read ({error.strerror}); name the key that the robots have") from None
+    if not stat.S_ISREG(mode):
+        raise Fault(f"{path}: is a device or pipe; save the key in a file and name that")
     if mode & 0o077:
         raise Fault(f"{path}: others than its owner can get at this key; make a new one that they cannot: chmod 600 {path}")
     if not KEY <= len(text) <= KEY_FILE_MOST:

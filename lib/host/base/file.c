@@ -44,9 +44,10 @@ static int no_file(fault *why, const char *path, const char *named_by, const cha
 }
 
 static int too_large(fault *why, const char *path, size_t limit) {
+  const bool small = limit < (size_t)1 << 20;
   return file_fault(why, path, 0, 0,
-                    "holds more than the %zu MiB that such a file may have; check that it is the right one",
-                    limit >> 20);
+                    "holds more than the %zu %s that such a file may have; check that it is the right one",
+                    small ? limit : limit >> 20, small ? "bytes" : "MiB");
 }
 
 /* What keeps an open file from being read, NULL if nothing does. */
