@@ -127,7 +127,11 @@ def write_bundle(source, folder):
 def main():
     if len(sys.argv) != 3:
         raise SystemExit(__doc__.split(":")[0])
-    write_bundle(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
+    try:
+        write_bundle(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))
+    except OSError as error:
+        print(f"bundle: {error.filename}: cannot be written ({error.strerror}); name a folder that can be", file=sys.stderr)
+        sys.exit(2)
 
 
 if __name__ == "__main__":

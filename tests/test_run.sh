@@ -109,7 +109,26 @@ test_long_tests_run_when_they_are_asked_for_or_named() {
   expect "words of test --long" "$(words_of --long)" 'without:'
   expect "words of test --firmware --long" "$(words_of --firmware --long)" 'yes:'
   expect "words of test --long --firmware joint -V" "$(words_of --long --firmware joint -V)" 'yes:-R joint -V'
+  expect "words of test --verbose" "$(words_of --verbose)" 'without:--verbose -LE ^long$'
+  expect "words of test --max-width=80" "$(words_of --max-width=80)" 'without:--max-width=80 -LE ^long$'
   expect "words of test model" "$(words_of model)" 'without:-R model'
+}
+
+test_words_that_a_command_does_not_know_are_refused_with_one_line() {
+  local words status said
+  for words in "bundle" "bundle one two" "bundle file" "firmware nothing" "firmware --help" "firmware cortex-m3 cortex-m4f" \
+    "sizes --help" "test --lng" "nothing"; do
+    : >file
+    status=0
+    # shellcheck disable=SC2086
+    (build() { echo built; }; main $words) >out.txt 2>said.txt || status=$?
+    expect "status of $words" "$status" 2
+    expect "printed by $words" "$(cat out.txt)" ""
+    said=$(grep -E '^(run|bundle): ' said.txt || true)
+    expect "lines said by $words" "$(grep -c "${words%% *}" <<<"$said")" 1
+  done
+  (main test --help) >out.txt
+  expect "help of test" "$(sed -n '1s/ \[.*//p' out.txt)" "./run demo"
 }
 
 test_the_demo_takes_paths_from_the_users_folder() {
