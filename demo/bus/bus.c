@@ -82,7 +82,18 @@ void bus_close(bus *b) {
     next = at->next;
     free(at);
   }
+  seal_wipe(&b->seal);
   free(b);
+}
+
+int bus_open_sealed(bus **b, const char *url, const char *key, fault *why) {
+  seal team;
+  if (key == NULL) return bus_open(b, url, why);
+  if (seal_read(&team, key, why) != 0) return -1;
+  const int status = bus_open(b, url, why);
+  if (status == 0) bus_seal(*b, &team);
+  seal_wipe(&team);
+  return status;
 }
 
 void bus_seal(bus *b, const seal *s) {

@@ -28,6 +28,9 @@ typedef struct {
 int bus_open(bus **b, const char *url, fault *why);
 void bus_close(bus *b);
 
+/* The same, sealed by the key in a file if `key` names one (seal_read()). */
+int bus_open_sealed(bus **b, const char *url, const char *key, fault *why);
+
 /* From now on seal all termination signals that are sent, and hear none that are not so sealed. */
 void bus_seal(bus *b, const seal *s);
 

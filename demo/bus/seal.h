@@ -22,6 +22,9 @@ int seal_read(seal *s, const char *path, fault *why);
 
 void seal_tag(const seal *s, const uint8_t *bytes, size_t size, uint8_t tag[SEAL_TAG]);
 
+/* Forget a key: nothing of it is left in *s. */
+void seal_wipe(seal *s);
+
 /* Whether the tag is that of these bytes: it takes as long for every tag. */
 bool seal_holds(const seal *s, const uint8_t *bytes, size_t size, const uint8_t tag[SEAL_TAG]);
 

@@ -110,10 +110,7 @@ int follow(const settings *s, const plan *p, const volatile int *interrupted, fa
   qtr_deployment home;
   qtr_deployment_init(&home, &p->t.policy, NULL, NULL);
   f.identity = qtr_deployment_identity(&home, &p->t.policy);
-  seal team;
-  if (s->key != NULL && seal_read(&team, s->key, why) != 0) return -1;
-  if (bus_open(&b, s->lcm_url, why) != 0) return -1;
-  if (s->key != NULL) bus_seal(b, &team);
+  if (bus_open_sealed(&b, s->lcm_url, s->key, why) != 0) return -1;
   int status = live_open(&f.view, s->port, why);
   if (status == 0) {
     forget(&f);

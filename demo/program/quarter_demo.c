@@ -205,7 +205,9 @@ static int check_key(const settings *s, fault *why) {
   if (s->key == NULL) return 0;
   if (!s->processes && !s->follow)
     return fault_set(why, "--key goes with --processes and --follow: in a game of one process nobody else is heard");
-  return seal_read(&unused, s->key, why);
+  const int status = seal_read(&unused, s->key, why);
+  seal_wipe(&unused);
+  return status;
 }
 
 static int run(const settings *s, fault *why) {

@@ -2,13 +2,12 @@
 #include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "bus.h"
 #include "host/base/clock.h"
 #include "host/base/count.h"
+#include "host/base/file.h"
 #include "host/base/option.h"
 #include "host/base/outfile.h"
 #include "host/table/table_check.h"
@@ -17,7 +16,7 @@
 #include "quarter/status.h"
 #include "wiring.h"
 
-#define TABLE_MOST (64u << 20)
+#define TABLE_MOST ((size_t)64 << 20) /* bytes */
 
 typedef struct {
   const char *table, *url, *save, *key;
@@ -188,37 +187,19 @@ static int run(bus *b, const words *w) {
 
 /* ---- the table ---- */
 
-/* A plain file: a pipe might never end. NULL with *why set if it is none, or cannot be read. */
-static void *read_whole(const char *path, uint32_t *size, const char **why) {
-  struct stat about;
-  *why = "cannot be read";
-  if (stat(path, &about) == 0 && !S_ISREG(about.st_mode)) {
-    *why = S_ISDIR(about.st_mode) ? "is a folder; name a file in it"
-                                  : "is a device or pipe; save what it gives in a file and name that";
-    return NULL;
-  }
-  FILE *file = fopen(path, "rb");
-  if (file == NULL) return NULL;
-  void *bytes = malloc(TABLE_MOST);
-  *size = bytes != NULL ? (uint32_t)fread(bytes, 1, TABLE_MOST, file) : 0;
-  fclose(file);
-  return bytes;
-}
-
 /* As a host does, for a table may come from anywhere. */
 static int open_table(const void *bytes, uint32_t size) {
   const int status = qtr_policy_open(&policy, bytes, size);
   return status == QTR_OK ? qtr_policy_check(&policy) : status;
 }
 
-/* The bus, sealed if there is a key. 0, or the exit status, with one line said. */
+/* The bus, sealed if there is a key; nothing that was read will be written over. 0, or the exit status, with one line said. */
 static int open_bus(bus **b, const words *w) {
-  seal team;
   fault why;
-  if (w->key != NULL && seal_read(&team, w->key, &why) != 0) return refuse(&why);
-  if (bus_open(b, w->url, &why) != 0) return complain("the bus", why.text);
-  if (w->key != NULL) bus_seal(*b, &team);
-  return 0;
+  if (bus_open_sealed(b, w->url, w->key, &why) != 0) return refuse(&why);
+  if (w->save == NULL || !file_was_read(w->save)) return 0;
+  bus_close(*b);
+  return complain(w->save, "is what is read; name another file to save in");
 }
 
 /* Who was not believed: a team of mixed tables or keys finds out by this. */
@@ -232,13 +213,10 @@ static void tell_strangers(const bus *b, const words *w) {
 }
 
 /* The table and the seeker. 0, or the exit status, with one line said. */
-static int prepare(const words *w, void **bytes) {
-  uint32_t size = 0;
-  const char *unread;
+static int prepare(const words *w, file_bytes *bytes) {
   fault why;
-  *bytes = read_whole(w->table, &size, &unread);
-  if (*bytes == NULL) return complain(w->table, unread);
-  const int status = open_table(*bytes, size);
+  if (file_read(bytes, w->table, TABLE_MOST, NULL, &why) != 0) return refuse(&why);
+  const int status = open_table(bytes->data, (uint32_t)bytes->size);
   if (status != QTR_OK) return complain(w->table, qtr_strerror(status));
   if (table_check(&policy, w->table, &why) != 0) return refuse(&why);
   return begin(w) == QTR_OK ? 0 : complain("--robot", "the table has no such robot");
@@ -246,7 +224,7 @@ static int prepare(const words *w, void **bytes) {
 
 int main(int argc, char **argv) {
   words w;
-  void *bytes;
+  file_bytes bytes;
   bus *b;
   fault why;
   if (parse(&w, argc, argv, &why) != 0) return refuse(&why);
@@ -259,6 +237,6 @@ int main(int argc, char **argv) {
   status = run(b, &w);
   tell_strangers(b, &w);
   bus_close(b);
-  free(bytes);
+  file_free(&bytes);
   return status;
 }

@@ -191,15 +191,6 @@ static int check_mine(const settings *s, fault *why) {
                           : fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
 }
 
-/* Open the bus, sealed if there is a key. 0, or -1 with *why set. */
-static int open_bus(bus **b, const settings *s, fault *why) {
-  seal team;
-  if (s->key != NULL && seal_read(&team, s->key, why) != 0) return -1;
-  if (bus_open(b, s->lcm_url, why) != 0) return -1;
-  if (s->key != NULL) bus_seal(*b, &team);
-  return 0;
-}
-
 static void tell_unsealed(const bus *b) {
   if (b != NULL && bus_count(b).unsealed > 0)
     fprintf(stderr, "quarter-world: %s without this key's seal ignored\n",
@@ -215,7 +206,7 @@ static int run(const settings *s, fault *why) {
   if (unprepared != 0) return unprepared;
   catch_interrupts();
   if (check_mine(s, why) == 0 && (s->faults == NULL || faults_read(&faults, s->faults, &p.t, why) == 0) &&
-      open_bus(&b, s, why) == 0)
+      bus_open_sealed(&b, s->lcm_url, s->key, why) == 0)
     status = serve(s, b, &faults, why);
   tell_unsealed(b);
   bus_close(b);

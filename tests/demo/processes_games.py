@@ -10,7 +10,7 @@ import lcmlog
 import network
 from lcmlog import COMMAND, DONE, FOUND
 from network import Network, Wire
-from programs import MISSIONS, Case, asked, drives, is_found, robot
+from programs import MISSIONS, Case, asked, drives, is_found, program, robot
 from scripted_world import ScriptedWorld
 
 
@@ -155,6 +155,16 @@ class RobotAlone(Case):
         save.write_bytes(save.read_bytes()[:-1])
         self.assertEqual(self.start_again(scripted, save), known)
         scripted.program.kill()
+
+    def test_what_it_reads_it_does_not_save_over(self):
+        table = self.folder / "own.qtr"
+        whole = asked.table.read_bytes()
+        table.write_bytes(whole)
+        words = program("quarter-robot", table, "--robot", self.NUMBER, "--save", table)
+        status, output, errors = self.network().start(*words).end()
+        self.assertEqual((status, output), (2, ""))
+        self.assertEqual(errors, f"quarter-robot: {table}: is what is read; name another file to save in\n")
+        self.assertEqual(table.read_bytes(), whole)
 
     def test_it_stops_and_says_so_when_its_sensor_sees_the_mine(self):
         scripted, wire = self.begin()

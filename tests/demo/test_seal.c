@@ -98,6 +98,13 @@ static void test_what_is_no_key_is_refused(void) {
   refuse(".", "folder");
 }
 
+static void test_of_a_wiped_key_nothing_is_left(void) {
+  static const seal blank;
+  need_seals();
+  seal_wipe(&other);
+  TEST_ASSERT_EQUAL_MEMORY(&blank, &other, sizeof blank);
+}
+
 /* ---- the bus ---- */
 
 static void hear(void *user, const message_terminate *m) {
@@ -136,6 +143,7 @@ int main(void) {
   RUN_TEST(test_a_tag_is_keyed_blake2b);
   RUN_TEST(test_a_tag_holds_for_its_bytes_and_key_alone);
   RUN_TEST(test_what_is_no_key_is_refused);
+  RUN_TEST(test_of_a_wiped_key_nothing_is_left);
   RUN_TEST(test_a_sealed_bus_hears_its_own_seal_alone_and_counts_the_rest);
   return UNITY_END();
 }
