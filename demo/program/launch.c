@@ -1,5 +1,6 @@
 #include "launch.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <libgen.h>
 #include <limits.h>
@@ -21,16 +22,17 @@
 #define INHERITED 256 /* files that the launcher has open, at most: its children need none of them */
 
 typedef struct {
-  char folder[PATH_MAX]; /* of the programs */
-  char table[PATH_MAX];  /* a file of the policy table, for all of them */
+  char programs[PATH_MAX]; /* the folder that they are in */
+  char own[PATH_MAX];      /* the game's folder, which nobody else can write to: of the table and the saves */
+  char table[PATH_MAX + 16];
   pid_t world;
   pid_t robot[DEMO_MOST_ROBOTS]; /* 0: it has ended */
   int robots;
   const settings *s;
-  bus *b;                                             /* by which the world says who has no power; NULL: all have */
-  bool dark[DEMO_MOST_ROBOTS], cut[DEMO_MOST_ROBOTS]; /* has none, by the world; and so its process was ended */
-  bool abandoned;                                     /* all robots' processes ended before the world's */
-  double since;                                       /* when they had */
+  bus *b;                     /* by which the world says who has no power; NULL: all have */
+  bool cut[DEMO_MOST_ROBOTS]; /* it has none, and so its process was ended */
+  bool abandoned;             /* all robots' processes ended before the world's */
+  double since;               /* when they had */
 } crew;
 
 /* ---- starting ---- */
@@ -40,18 +42,35 @@ static int find_programs(crew *c, fault *why) {
   const ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
   if (length < 0) return fault_set(why, "the programs beside quarter-demo cannot be found: %s", strerror(errno));
   self[length] = '\0';
-  snprintf(c->folder, sizeof c->folder, "%s", dirname(self));
+  snprintf(c->programs, sizeof c->programs, "%s", dirname(self));
   return 0;
 }
 
-static int write_table(crew *c, const plan *p, fault *why) {
+static int make_folder(crew *c, fault *why) {
   const char *folder = getenv("TMPDIR");
-  snprintf(c->table, sizeof c->table, "%s/quarter-demo-XXXXXX", folder != NULL && folder[0] != '\0' ? folder : "/tmp");
-  const int file = mkstemp(c->table);
-  if (file < 0) return fault_set(why, "%s: cannot be written: %s", c->table, strerror(errno));
-  const ssize_t written = write(file, p->t.bytes.data, p->t.bytes.size);
-  if (close(file) == 0 && written == (ssize_t)p->t.bytes.size) return 0;
-  unlink(c->table);
+  snprintf(c->own, sizeof c->own, "%s/quarter-demo-XXXXXX", folder != NULL && folder[0] != '\0' ? folder : "/tmp");
+  if (mkdtemp(c->own) == NULL) return fault_set(why, "%s: cannot be made: %s", c->own, strerror(errno));
+  snprintf(c->table, sizeof c->table, "%s/table", c->own);
+  return 0;
+}
+
+/* With what robots left that were killed while they wrote. */
+static void remove_folder(const crew *c) {
+  char path[PATH_MAX + NAME_MAX + 2];
+  DIR *folder = opendir(c->own);
+  for (struct dirent *entry; folder != NULL && (entry = readdir(folder)) != NULL;) {
+    snprintf(path, sizeof path, "%s/%s", c->own, entry->d_name);
+    unlink(path); /* not "." and "..", which are folders */
+  }
+  if (folder != NULL) closedir(folder);
+  rmdir(c->own);
+}
+
+static int write_table(const crew *c, const plan *p, fault *why) {
+  FILE *file = fopen(c->table, "wb");
+  if (file == NULL) return fault_set(why, "%s: cannot be written: %s", c->table, strerror(errno));
+  const size_t written = fwrite(p->t.bytes.data, 1, p->t.bytes.size, file);
+  if (fclose(file) == 0 && written == p->t.bytes.size) return 0;
   return fault_set(why, "%s: cannot be written whole; is the disk full?", c->table);
 }
 
@@ -60,7 +79,7 @@ static int write_table(crew *c, const plan *p, fault *why) {
 static pid_t start(const crew *c, const char *program, const char *const *words) {
   char path[PATH_MAX + 32];
   sigset_t ends, before;
-  snprintf(path, sizeof path, "%s/%s", c->folder, program);
+  snprintf(path, sizeof path, "%s/%s", c->programs, program);
   sigemptyset(&ends);
   sigaddset(&ends, SIGINT);
   sigaddset(&ends, SIGTERM);
@@ -127,17 +146,12 @@ static pid_t start_world(const crew *c, const settings *s) {
   return start(c, "quarter-world", w.word);
 }
 
-/* Where a robot keeps what must outlast a reset: beside the table. */
-static const char *save_of(char path[PATH_MAX + 16], const crew *c, int number) {
-  snprintf(path, PATH_MAX + 16, "%s-robot%d", c->table, number);
-  return path;
-}
-
 static pid_t start_robot(const crew *c, int number) {
   const settings *s = c->s;
   char self[16], run[16], save[PATH_MAX + 16];
   words w = {0, {NULL}};
   snprintf(self, sizeof self, "%d", number);
+  snprintf(save, sizeof save, "%s/robot%d", c->own, number);
   snprintf(run, sizeof run, "%d", s->run);
   add(&w, "quarter-robot");
   add(&w, c->table);
@@ -145,31 +159,12 @@ static pid_t start_robot(const crew *c, int number) {
   add_pair(&w, "--lcm-url", s->lcm_url);
   add_pair(&w, "--run-number", run);
   add_pair(&w, "--key", s->key);
-  add_pair(&w, "--save", c->b != NULL ? save_of(save, c, number) : NULL);
+  add_pair(&w, "--save", c->b != NULL ? save : NULL);
   add_mark(&w, "--clear-all", s->clear_all);
   return start(c, "quarter-robot", w.word);
 }
 
 /* ---- power ---- */
-
-static void hear_status(void *user, const message_status *m) {
-  crew *c = user;
-  for (int i = 0; i < c->robots && i < m->robots; i++) c->dark[i] = m->state[i] == STATE_OFF;
-}
-
-/* Nothing of this is needed where no power fails. */
-static int open_power(crew *c, const fault_script *faults, fault *why) {
-  if (faults_count(faults, FAULT_RESET) == 0) return 0;
-  if (bus_open(&c->b, c->s->lcm_url, why) != 0) return -1;
-  bus_hear_status(c->b, hear_status, c);
-  return 0;
-}
-
-static void close_power(crew *c) {
-  char save[PATH_MAX + 16];
-  for (int i = 0; c->b != NULL && i < c->robots; i++) unlink(save_of(save, c, i));
-  bus_close(c->b);
-}
 
 /* A process without power ends in whatever it is at. */
 static void cut_power(crew *c, int number) {
@@ -180,18 +175,28 @@ static void cut_power(crew *c, int number) {
   c->robot[number] = 0;
 }
 
-static void tend_power(crew *c) {
-  if (c->b == NULL) return;
-  bus_drain(c->b);
-  for (int i = 0; i < c->robots; i++) {
-    if (c->dark[i] == c->cut[i]) continue;
-    if (c->dark[i]) {
-      cut_power(c, i);
-    } else {
-      c->cut[i] = false;
-      c->robot[i] = start_robot(c, i);
-    }
+static void restore_power(crew *c, int number) {
+  c->cut[number] = false;
+  c->robot[number] = start_robot(c, number);
+}
+
+/* At each word of the world's, though several wait: power may be away for less time than the launcher looks away. Who is lost
+ * without power stays so. */
+static void hear_status(void *user, const message_status *m) {
+  crew *c = user;
+  for (int i = 0; i < c->robots && i < m->robots; i++) {
+    const bool off = m->state[i] == STATE_OFF;
+    if (off && !c->cut[i]) cut_power(c, i);
+    if (!off && c->cut[i] && m->state[i] != STATE_LOST) restore_power(c, i);
   }
+}
+
+/* Nothing of this is needed where no power fails. */
+static int open_power(crew *c, const fault_script *faults, fault *why) {
+  if (faults_count(faults, FAULT_RESET) == 0) return 0;
+  if (bus_open(&c->b, c->s->lcm_url, why) != 0) return -1;
+  bus_hear_status(c->b, hear_status, c);
+  return 0;
 }
 
 /* ---- watching and ending ---- */
@@ -234,7 +239,7 @@ static int watch(crew *c, double speed, const volatile int *interrupted) {
     if (*interrupted != 0 && !told) kill(c->world, SIGINT);
     told = *interrupted != 0;
     hurry(c, speed);
-    tend_power(c);
+    if (c->b != NULL) bus_drain(c->b);
     const pid_t child = waitpid(-1, &status, WNOHANG);
     if (child == c->world) return status;
     if (child > 0) note_end_of_robot(c, child, status);
@@ -254,19 +259,22 @@ static int judge(const crew *c, int status, bool interrupted, fault *why) {
   return ended == EXIT_BAD_INPUT ? EXIT_BAD_INPUT : EXIT_BROKEN_OFF;
 }
 
+/* The exit status, with *why set if it is not 0. */
+static int play(crew *c, const volatile int *interrupted, fault *why) {
+  fflush(NULL);
+  c->world = start_world(c, c->s);
+  for (int i = 0; i < c->robots; i++) c->robot[i] = start_robot(c, i);
+  const int status = c->world > 0 ? watch(c, c->s->speed, interrupted) : -1;
+  end_robots(c);
+  return judge(c, status, *interrupted != 0, why);
+}
+
 int launch(const settings *s, const plan *p, const fault_script *faults, const volatile int *interrupted, fault *why) {
   crew c = {.robots = p->t.policy.board.seekers, .s = s};
-  if (find_programs(&c, why) != 0 || open_power(&c, faults, why) != 0) return EXIT_BAD_INPUT;
-  if (write_table(&c, p, why) != 0) {
-    bus_close(c.b);
-    return EXIT_BAD_INPUT;
-  }
-  fflush(NULL);
-  c.world = start_world(&c, s);
-  for (int i = 0; i < c.robots; i++) c.robot[i] = start_robot(&c, i);
-  const int status = c.world > 0 ? watch(&c, s->speed, interrupted) : -1;
-  end_robots(&c);
-  close_power(&c);
-  unlink(c.table);
-  return judge(&c, status, *interrupted != 0, why);
+  if (find_programs(&c, why) != 0 || make_folder(&c, why) != 0) return EXIT_BAD_INPUT;
+  int status = EXIT_BAD_INPUT;
+  if (write_table(&c, p, why) == 0 && open_power(&c, faults, why) == 0) status = play(&c, interrupted, why);
+  bus_close(c.b);
+  remove_folder(&c);
+  return status;
 }

@@ -3,7 +3,6 @@
 import json
 import os
 import signal
-import tempfile
 from pathlib import Path
 
 import lcmlog
@@ -35,8 +34,11 @@ class Ends(Case):
     def check_gone(self, net, children):
         self.assertEqual(net.inhabitants(), [])
         self.assertEqual([pid for pid in children if Path(f"/proc/{pid}").exists()], [])
-        tables = {words[1] for words in children.values() if words[0] == "quarter-robot"}
-        self.assertEqual([path for path in tables if Path(path).exists()], [])
+        self.assertEqual([path for path in self.own_folders(children) if path.exists()], [])
+
+    def own_folders(self, children):
+        """Of the game: one."""
+        return {Path(words[1]).parent for words in children.values() if words[0] == "quarter-robot"}
 
     def check_records(self, game):
         events = lcmlog.read(self.folder / "game.lcm")
@@ -112,7 +114,6 @@ class Ends(Case):
         script = self.folder / "faults.yaml"
         resets = ", ".join(f"{{at: {2 + number}, reset: {number}, for: 1.5}}" for number in range(asked.robots))
         script.write_text(f"faults: [{resets}]\n", encoding="utf-8")
-        before = set(Path(tempfile.gettempdir()).glob("quarter-demo-*"))
         game, errors = self.play(net, "--mine", asked.soon[-1], "--speed", 2, "--faults", script)
         self.assertEqual(errors, "")
         self.assertIsNotNone(game["result"]["found_at"], game)
@@ -121,8 +122,21 @@ class Ends(Case):
         for kind in ("reset", "restarted"):
             self.assertEqual({event["robot"] for event in events if event["kind"] == kind}, set(range(asked.robots)))
         self.assertEqual([event for event in events if event["kind"] == "lost"], [])
-        left = set(Path(tempfile.gettempdir()).glob("quarter-demo-*")) - before
-        self.assertEqual([path for path in left if "-robot" in path.name and "game.html" not in path.name], [])
+
+    def test_what_a_game_keeps_for_itself_is_its_users_alone_and_goes_with_it(self):
+        net = self.network()
+        script = self.folder / "faults.yaml"
+        script.write_text("faults: [{at: 1000, reset: 0}]\n", encoding="utf-8")
+        launcher, children, _ = self.start_game(net, "--mine", "none", "--faults", script)
+        folder, = self.own_folders(children)
+        self.assertEqual(folder.stat().st_mode & 0o777, 0o700)
+        saves = {words[words.index("--save") + 1] for words in children.values() if words[0] == "quarter-robot"}
+        self.assertEqual(len(saves), asked.robots)
+        self.assertEqual({Path(save).parent for save in saves}, {folder})
+        (folder / "robot0.half").write_bytes(b"Q")  # as a robot leaves it that is killed while it writes
+        launcher.send(signal.SIGINT)
+        self.assertEqual(launcher.end()[0], 130)
+        self.check_gone(net, children)
 
     def test_the_world_killed(self):
         net = self.network()
