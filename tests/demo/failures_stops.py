@@ -135,7 +135,7 @@ class BrokenOff(Case):
     def test_a_robot_reads_its_table_from_a_plain_file_alone(self):
         os.mkfifo(self.folder / "pipe")
         for path, says in ((self.folder / "pipe", "pipe"), ("/dev/zero", "device"), (self.folder, "folder"),
-                           (self.folder / "none", "cannot be read")):
+                           (self.folder / "none", "no such file")):
             ended = network.Program(program("quarter-robot", path, "--robot", 0)).end()
             self.line(ended, 2, str(path), says)
 
