@@ -114,17 +114,48 @@ static void test_a_robot_that_has_no_power_for_long_leaves_nothing_unscanned(voi
     }
 }
 
-/* The finder's power fails once it has found it, and so does that of who heard of it: it stays found, and all stand. */
+static int count_scans_after(double at) {
+  int count = 0;
+  for (int i = 0; i < play_arena.events; i++)
+    count += play_arena.event[i].kind == EVENT_SCANNED && play_arena.event[i].at > at;
+  return count;
+}
+
+static int finder(void) {
+  for (int i = 0; i < play_arena.events; i++)
+    if (play_arena.event[i].kind == EVENT_FOUND) return play_arena.event[i].robot;
+  return -1;
+}
+
+static void assert_found_and_left_at_that(double at, int restarted) {
+  TEST_ASSERT_EQUAL_INT_MESSAGE(restarted, count_events(EVENT_RESTARTED), case_note);
+  TEST_ASSERT_TRUE_MESSAGE(play_result.found_at >= 0.0 && play_result.found_at < at, case_note);
+  TEST_ASSERT_TRUE_MESSAGE(play_result.all_stopped_at >= at, case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, count_scans_after(at), case_note);
+}
+
+/* Right after the find the power of one robot fails, the finder's too; and then that of all, of which the finder is lost, so that
+ * saves alone know of it. It stays found: nobody goes on with its search, and all stand. */
 static void test_a_find_outlasts_a_reset(void) {
   play_prepare_drawn("1...S...2/.###.###./3.......4", 4);
-  for (int robot = 0; robot < 4; robot++) {
-    game_setup setup = play_setup(3);
-    setup.arena.faults =
-        faults_of((fault_event){4.6, FAULT_RESET, robot, 0.0, 0}, (fault_event){6.0, FAULT_RESTART, robot, 0.0, 0});
-    snprintf(case_note, sizeof case_note, "robot %d", robot);
+  game_setup setup = play_setup(3);
+  play(setup);
+  const double at = play_result.found_at + ARENA_TICK;
+  const int found_by = finder();
+  fault_event off = {at, FAULT_RESET, -1, 0.0, 0}, on = {at + 2.0, FAULT_RESTART, -1, 0.0, 0};
+  fault_script script = *faults_of(off, on);
+  TEST_ASSERT_LESS_THAN_INT_MESSAGE(play_arena.places, play_result.scanned, case_note);
+  faults_add(&script, (fault_event){at + 1.0, FAULT_LOST, found_by, 0.0, 0});
+  setup.arena.faults = &script;
+  snprintf(case_note, sizeof case_note, "all are reset at %.2f s", at);
+  play(setup);
+  assert_found_and_left_at_that(at, play_arena.robots - 1);
+  for (int robot = 0; robot < play_arena.robots; robot++) {
+    off.robot = on.robot = robot;
+    setup.arena.faults = faults_of(off, on);
+    snprintf(case_note, sizeof case_note, "robot %d is reset at %.2f s", robot, at);
     play(setup);
-    TEST_ASSERT_TRUE_MESSAGE(play_result.found_at >= 0.0 && play_result.all_stopped_at >= play_result.found_at,
-                             case_note);
+    assert_found_and_left_at_that(at, 1);
   }
 }
 
