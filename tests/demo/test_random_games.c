@@ -1,5 +1,6 @@
 /* Games on random maps: what the robots were sent to do they do, whoever is lost, and in whatever order they meet. */
 #include "game.h"
+#include "quarter/division.h"
 #include "support/tables.h"
 
 static table t;
@@ -87,10 +88,70 @@ static void test_with_any_one_robot_lost_anywhere_it_is_found(void) {
   }
 }
 
+/* ---- whatever goes wrong ---- */
+
+static qtr_cell random_free_cell(test_random *random) {
+  const qtr_grid *grid = &t.policy.grid;
+  for (;;) {
+    const qtr_cell cell = (qtr_cell)random_below(random, qtr_grid_cells(grid));
+    if (qtr_grid_cost(grid, cell) > 0) return cell;
+  }
+}
+
+/* Power that fails is there again, wheels that are stuck go again; what is shut stays so. */
+static void add_fault(fault_script *script, test_random *random) {
+  static const int kinds[] = {FAULT_LOST, FAULT_STUCK, FAULT_SLIP, FAULT_LOSS, FAULT_SHUT, FAULT_RESET, FAULT_RESET};
+  fault_event fault = {.at = 15.0 * random_unit(random), .kind = kinds[random_below(random, 7)]};
+  fault.robot = (int)random_below(random, table_mission.seekers);
+  fault.share = 0.8 * random_unit(random);
+  fault.cell = random_bits(random) % 2 == 0 ? qtr_policy_cell(&t.policy, random_below(random, table_mission.places))
+                                            : random_free_cell(random);
+  faults_add(script, fault);
+  if (fault.kind != FAULT_STUCK && fault.kind != FAULT_RESET) return;
+  fault.kind = fault.kind == FAULT_STUCK ? FAULT_UNSTUCK : FAULT_RESTART;
+  fault.at += 1.0 + 15.0 * random_unit(random);
+  faults_add(script, fault);
+}
+
+static bool is_scanned_by(const qtr_division *division, int territory, double at) {
+  for (unsigned i = 0; i < division->moves; i++) {
+    const unsigned place = division->place[i];
+    if (division->seeker[i] == territory && (end.scanned_by[place] < 0 || end.scanned_at[place] > at)) return false;
+  }
+  return true;
+}
+
+/* Lost, stuck, slipping, without power, deaf, before shut doors, several at once: who says that a territory is done, or that the
+ * target is found, says what is so. */
+static void test_whatever_goes_wrong_nobody_announces_what_nobody_has_scanned(void) {
+  int announced = 0, left = 0;
+  for (unsigned number = 0; number < 120; number++) {
+    test_random random = random_case("several faults", number);
+    fault_script script = {0};
+    qtr_deployment home;
+    qtr_division division;
+    random_table(&random, (mission_size){8, 8, 5, 4});
+    qtr_deployment_home(&home, &t.policy);
+    qtr_division_begin(&division, &t.policy, &home);
+    while (qtr_division_play(&division, &t.policy)) {}
+    for (int faults = 0; faults < 5; faults++) add_fault(&script, &random);
+    play((arena_setup){.seed = number, .clear_all = number % 4 != 0, .mine = -1, .faults = &script, .time_limit = 600});
+    left += result.scanned < end.places;
+    for (int i = 0; i < end.events; i++) {
+      if (end.event[i].kind != EVENT_DONE) continue;
+      announced++;
+      TEST_ASSERT_TRUE_MESSAGE(is_scanned_by(&division, end.event[i].territory, end.event[i].at), case_note);
+    }
+  }
+  TEST_ASSERT_GREATER_THAN_INT(60, announced);
+  TEST_ASSERT_GREATER_THAN_INT(10, left);
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_without_a_mine_every_place_is_scanned);
   RUN_TEST(test_in_clear_all_every_territory_is_announced);
   RUN_TEST(test_with_any_one_robot_lost_anywhere_it_is_found);
+  RUN_TEST(test_whatever_goes_wrong_nobody_announces_what_nobody_has_scanned);
   return UNITY_END();
 }
