@@ -12,6 +12,9 @@ static inline bool is_to_run(const char *function) {
   return only == NULL || strstr(function, only) != NULL;
 }
 
+/* Unity declares its own runner only where RUN_TEST is Unity's too. */
+void UnityDefaultTestRun(void (*test)(void), const char *name, const int line);
+
 #define RUN_TEST(function) (is_to_run(#function) ? UnityDefaultTestRun(function, #function, __LINE__) : (void)0)
 
 #endif
