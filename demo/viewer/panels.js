@@ -33,7 +33,7 @@ function showState(model, state) {
     "the numbers below are those of this moment");
   state.places.forEach((place, number) => {
     const row = $("place-rows").rows[number];
-    row.cells[4].textContent = place.at === null ? "–" : rounded(place.at, 2);
+    row.cells[4].textContent = place.at === null ? "–" : place.at.toFixed(2);
     row.cells[5].textContent = place.found !== null ? "found" : place.at !== null ? "clear" : "suspected";
   });
 }
@@ -58,7 +58,7 @@ function eventRow(event) {
 }
 
 function placeRow(place, number) {
-  const row = make("tr", {}, make("td", {}, String(number)), make("td", {}, rounded(place.likelihood, 4)), make("td"),
+  const row = make("tr", {}, make("td", {}, String(number)), make("td", {}, place.likelihood.toFixed(4)), make("td"),
     make("td", {}, finite(place.planned) ? rounded(place.planned, 2) : "–"), make("td"), make("td"));
   row.cells[2].append(place.territory >= 0 ? chip(place.territory) : "–");
   return row;

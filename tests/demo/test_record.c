@@ -157,6 +157,16 @@ static void test_the_record_is_json_whatever_happened(void) {
   }
 }
 
+/* Who says so need not be whose territory it is: robots repeat what they know. */
+static void test_the_record_tells_who_says_that_a_territory_is_done(void) {
+  play_prepare_drawn("S.1..2/......", 0);
+  game_setup setup = play_setup(5);
+  setup.arena.mine = -2;
+  record_game(setup, NULL);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(json_of_game, "\"text\": \"robot 0 says that territory 0 is done\""),
+                               json_of_game);
+}
+
 /* What is shut is a place, at the right end of the top row, or a cell of the row below. */
 static void test_the_record_tells_what_was_shut_and_who_had_no_power(void) {
   const fault_script faults = {4,
@@ -297,6 +307,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_the_checker_tells_json_from_what_is_none);
   RUN_TEST(test_the_record_is_json_whatever_happened);
+  RUN_TEST(test_the_record_tells_who_says_that_a_territory_is_done);
   RUN_TEST(test_the_record_tells_what_was_shut_and_who_had_no_power);
   RUN_TEST(test_the_record_says_what_happened);
   RUN_TEST(test_tracks_begin_at_the_start);

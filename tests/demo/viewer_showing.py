@@ -3,7 +3,7 @@
 import copy
 import json
 
-from pages import NUMBERS, OPEN_PLACES, SAMPLE, Pages
+from pages import NUMBERS, OPEN_PLACES, SAMPLE, SCANS, Pages
 
 
 class Showing(Pages):
@@ -76,6 +76,20 @@ class Showing(Pages):
         rows = self.browser.run(states)
         found = {e["place"] for e in SAMPLE["events"] if e["kind"] == "found"}
         self.assertEqual(rows, ["found" if p in found else "clear" for p in range(len(SAMPLE["places"]))])
+
+    def test_the_numbers_of_places_stand_under_one_another(self):
+        """Each column has as many decimals in all rows."""
+        self.open_replay()
+        self.scrub(SAMPLE["duration"])
+        self.browser.run(OPEN_PLACES)
+        column = "return [...document.querySelectorAll('#place-rows tr')].map(row => row.cells[arguments[0]].textContent)"
+        scanned = {}
+        for event in SAMPLE["events"]:
+            if event["kind"] in SCANS:
+                scanned.setdefault(event["place"], event["t"])
+        places = range(len(SAMPLE["places"]))
+        self.assertEqual(self.browser.run(column, 1), [f"{SAMPLE['places'][p]['likelihood']:.4f}" for p in places])
+        self.assertEqual(self.browser.run(column, 4), [f"{scanned[p]:.2f}" for p in places])
 
     def test_text_stays_text(self):
         nasty = "</script><img src=x onerror='document.title=1'>&amp;"
