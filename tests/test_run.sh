@@ -136,11 +136,14 @@ test_the_demo_takes_paths_from_the_users_folder() {
   build() { :; }
   mkdir -p "user's folder"
   cp "$(dirname "$run")/demo/missions/minefield/map.txt" "user's folder/own map.txt"
-  (cd "user's folder" && main demo "own map.txt" --robots 2 --seed 1 --quiet -o "own page.html") >said.txt 2>&1 || status=$?
+  (cd "user's folder" && main demo "own map.txt" --robots 2 --seed 1 -o "own page.html" --save-table "own.qtr") >said.txt 2>&1 || status=$?
   [ "$status" = 0 ] || cat said.txt
   expect "status of the demo" "$status" 0
-  expect "the page" "$(ls "user's folder")" "own map.txt
-own page.html"
+  expect "what was written" "$(ls "user's folder")" "own map.txt
+own page.html
+own.qtr"
+  expect "told of it" "$(sed -n 's/^wrote \([^:]*\).*/\1/p' said.txt)" "own page.html
+own.qtr"
 }
 
 test_a_checkout_under_an_odd_path_has_a_plain_name_always_the_same() {

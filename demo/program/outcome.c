@@ -38,6 +38,7 @@ static void tell_outcome(FILE *out, const plan *p, const game_result *r, const s
           counted(r->counts.sent[KIND_TERMINATE], "termination signal").text, r->duration / r->wall_seconds);
   if (s->replay != NULL) fprintf(out, "wrote %s: open it in a web browser\n", s->replay);
   if (s->log != NULL) fprintf(out, "wrote %s\n", s->log);
+  if (s->save != NULL) fprintf(out, "wrote %s\n", s->save);
 }
 
 int outcome_print(const plan *p, const game_result *result, const settings *s, fault *why) {
