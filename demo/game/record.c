@@ -183,7 +183,7 @@ static void describe(char text[120], const arena_event *e) {
   switch (e->kind) {
   case EVENT_SCANNED: snprintf(text, 120, "robot %d scanned place %d: clear", e->robot, e->place); break;
   case EVENT_FOUND: snprintf(text, 120, "robot %d found it at place %d", e->robot, e->place); break;
-  case EVENT_DONE: snprintf(text, 120, "robot %d says that territory %d is done", e->robot, e->territory); break;
+  case EVENT_DONE: snprintf(text, 120, "robot %d: territory %d is done", e->robot, e->territory); break;
   case EVENT_SLIP: snprintf(text, 120, "robot %d's wheels slip by up to %.0f %%", e->robot, 100 * e->share); break;
   case EVENT_LOSS: snprintf(text, 120, "%.0f %% of the signals are lost from now on", 100 * e->share); break;
   case EVENT_SHUT:

@@ -34,8 +34,15 @@ function showState(model, state) {
   state.places.forEach((place, number) => {
     const row = $("place-rows").rows[number];
     row.cells[4].textContent = place.at === null ? "–" : place.at.toFixed(2);
-    row.cells[5].textContent = place.found !== null ? "found" : place.at !== null ? "clear" : "suspected";
+    row.cells[5].textContent = wordOf(place);
   });
+}
+
+/* What is known of a place: a door that is shut behind a scan changes nothing of it. */
+function wordOf(place) {
+  if (place.found !== null) return "found";
+  if (place.at !== null) return "clear";
+  return place.shut ? "shut" : "suspected";
 }
 
 function chip(robot) {

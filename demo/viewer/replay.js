@@ -108,6 +108,7 @@ function passPlace(state, event, model) {
   if (!validIndex(event.place)) return;
   const place = state.places[event.place];
   const isFind = event.kind === "found";
+  if (event.kind === "shut") place.shut = true;
   if ((isFind || event.kind === "scanned") && place.at === null) {
     place.at = event.t;
     state.scanned++;
@@ -125,7 +126,7 @@ function stateAfter(model, passed) {
   const state = {
     passed, scanned: 0, faults: 0, likelihood: 0, curve: [], finds: 0, shut: [],
     robots: Array.from({ length: model.data.robots }, () => ({ kind: "moving", since: 0 })),
-    places: model.data.places.map(() => ({ at: null, found: null })),
+    places: model.data.places.map(() => ({ at: null, found: null, shut: false })),
   };
   for (const event of model.events.slice(0, passed)) {
     if (FAULTS.has(event.kind)) state.faults++;

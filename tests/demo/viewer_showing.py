@@ -77,6 +77,23 @@ class Showing(Pages):
         found = {e["place"] for e in SAMPLE["events"] if e["kind"] == "found"}
         self.assertEqual(rows, ["found" if p in found else "clear" for p in range(len(SAMPLE["places"]))])
 
+    def test_a_place_that_is_shut_is_told_so_unless_it_was_scanned(self):
+        shut = [{"t": 2, "kind": "shut", "place": place, "x": 5.5, "y": 14.5, "text": "shut"} for place in (0, 1)]
+        self.open_replay(events=[{"t": 1, "kind": "scanned", "place": 0, "robot": 0, "text": "scanned"}, *shut])
+        self.browser.run(OPEN_PLACES)
+        states = "return [...document.querySelectorAll('#place-rows tr')].map(row => row.cells[5].textContent)"
+        self.scrub(1.5)
+        self.assertEqual(self.browser.run(states)[:3], ["clear", "suspected", "suspected"])
+        self.scrub(2.5)
+        self.assertEqual(self.browser.run(states)[:3], ["clear", "shut", "suspected"])
+
+    def test_the_legend_has_every_mark_of_the_time_line(self):
+        self.open_replay()
+        used = "return [...document.querySelectorAll(arguments[0])].map(use => use.getAttribute('href'))"
+        marks = set(self.browser.run(used, "#marks use")) - {"#icon-other"}
+        self.assertIn("#icon-territory_done", marks)
+        self.assertEqual(marks - set(self.browser.run(used, "#legend use")), set())
+
     def test_the_numbers_of_places_stand_under_one_another(self):
         """Each column has as many decimals in all rows."""
         self.open_replay()
