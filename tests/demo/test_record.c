@@ -163,8 +163,7 @@ static void test_the_record_tells_who_says_that_a_territory_is_done(void) {
   game_setup setup = play_setup(5);
   setup.arena.mine = -2;
   record_game(setup, NULL);
-  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(json_of_game, "\"text\": \"robot 0: territory 0 is done\""),
-                               json_of_game);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(json_of_game, "\"text\": \"robot 0: territory 0 is done\""), json_of_game);
 }
 
 /* What is shut is a place, at the right end of the top row, or a cell of the row below. */
