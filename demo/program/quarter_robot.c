@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "bus.h"
 #include "host/base/clock.h"
@@ -51,7 +52,7 @@ static option_table records = {
      .last = 0x7FFFFFFE},
     {.name = "save",
      .argument = "FILE",
-     .help = "keep there what must outlast a reset, and go on from it if there is one",
+     .help = "keep there what must outlast a reset, and go on from it if there is one, until the search is over",
      .kind = OPTION_TEXT,
      OPTION_FIELD(words, save)},
     {.name = "key",
@@ -154,8 +155,10 @@ static void keep(const words *w) {
 
 /* ---- the bus ---- */
 
-/* A world ends without a word. What it leaves is a robot that has stopped, or one that is still on its way. */
-static int judge(void) {
+/* A world ends without a word. What it leaves is a robot that has stopped, or one that is still on its way. Its save goes with it:
+ * in the next search it would announce what was scanned in this one. */
+static int judge(const words *w) {
+  if (w->save != NULL) unlink(w->save);
   if (robot_stopped(&self)) return 0;
   fprintf(stderr,
           "quarter-robot: robot %d: its world has been silent for %.0f s, and its search is not over: look why "
@@ -180,7 +183,7 @@ static int run(bus *b, const words *w) {
       complain("no world on this bus", "start quarter-world first, on the same --lcm-url");
       return EXIT_BROKEN_OFF;
     }
-    if (poses > 0 && now - last > PATIENCE_SILENCE) return judge();
+    if (poses > 0 && now - last > PATIENCE_SILENCE) return judge(w);
   }
   return 0;
 }

@@ -9,7 +9,7 @@ from pathlib import Path
 import lcmlog
 import network
 from lcmlog import COMMAND, DONE, FOUND
-from network import Network, Wire
+from network import Network, Wire, await_file
 from programs import MISSIONS, Case, asked, drives, is_found, program, robot
 from scripted_world import ScriptedWorld
 
@@ -155,6 +155,16 @@ class RobotAlone(Case):
         save.write_bytes(save.read_bytes()[:-1])
         self.assertEqual(self.start_again(scripted, save), known)
         scripted.program.kill()
+
+    def test_its_save_ends_with_its_world(self):
+        save = self.folder / "robot.save"
+        scripted = ScriptedWorld(asked.plan, self.NUMBER, self.network())
+        scripted.start(*robot(self.NUMBER, "--save", save))
+        while not scripted.scanned:
+            scripted.tick()
+        await_file(save, save.exists)
+        self.line(scripted.program.end(), 3, "its search is not over")
+        self.assertFalse(save.exists(), "in another search it would go on from this one")
 
     def test_what_it_reads_it_does_not_save_over(self):
         table = self.folder / "own.qtr"
