@@ -38,7 +38,10 @@ def not_refused(cc, project, flags, source):
 
 
 def fused(cc, project, flags, name, source):
-    return [f"{name}: {instruction} under {' '.join(flags)}" for instruction in FUSED.findall(compiled(cc, project, flags, source).stdout)]
+    done = compiled(cc, project, flags, source)
+    if done.returncode != 0:
+        return [f"{name}: does not compile under {' '.join(flags)}:\n{done.stderr}"]
+    return [f"{name}: {instruction} under {' '.join(flags)}" for instruction in FUSED.findall(done.stdout)]
 
 
 def makes(cc, project, flags):
@@ -73,7 +76,8 @@ def prove_that_it_fails(cc, project, fusing):
     self_test(cases, unguarded)
     self_test([("fast", (cc, project, ["-ffast-math"], sum_of), 1)], not_refused)
     if fusing:
-        cases = [("fused", (cc, project, fusing, "a.c", sum_of), 1), ("guarded", (cc, project, fusing, "a.c", INCLUDE + "\n" + sum_of), 0)]
+        sources = [("fused", sum_of, 1), ("guarded", INCLUDE + "\n" + sum_of, 0), ("no source", "double sum(", 1)]
+        cases = [(name, (cc, project, fusing, "a.c", source), count) for name, source, count in sources]
         self_test(cases, fused)
 
 

@@ -1,18 +1,5 @@
 /* README.md's robot loop, word for word, with nothing around it. */
-#include "quarter/robot.h"
-
-void halt(void);
-uint8_t *memory_that_lasts(void);
-qtr_cell my_cell(void);
-void broadcast(const qtr_signal *signal);
-bool receive(qtr_signal *signal);
-bool drive_to(qtr_cell cell);
-bool scan_finds_it(void);
-void loop(void);
-
-extern const unsigned my_number;
-extern const uint32_t run_number, patrol_size;
-extern const uint8_t patrol[];
+#include "firmware.h"
 
 #ifdef WITHOUT_RESTART
 #undef qtr_seeker_restore

@@ -2,21 +2,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "quarter/robot.h"
+#include "firmware.h"
 
 enum { PAINT = 0xA5, PAINTED = 4096 };
-
-void halt(void);
-uint8_t *memory_that_lasts(void);
-qtr_cell my_cell(void);
-void broadcast(const qtr_signal *signal);
-bool receive(qtr_signal *signal);
-bool drive_to(qtr_cell cell);
-bool scan_finds_it(void);
-void loop(void);
-
-extern const uint8_t patrol[];
-extern const uint32_t patrol_size;
 
 const unsigned my_number = 0;
 const uint32_t run_number = 1;
