@@ -38,22 +38,6 @@ static void test_a_table_that_fits_tells_what_it_takes(void) {
   TEST_ASSERT_EQUAL_INT(0, access("t.qtr", F_OK));
 }
 
-/* What the README shows of it is what is printed today, but for the seconds. */
-static void test_readme_shows_what_is_printed(void) {
-  static char readme[1 << 16];
-  read_text(QUARTER_SOURCE_DIR "/README.md", readme, sizeof readme);
-  run_tool(&result,
-           "learn " QUARTER_SOURCE_DIR "/demo/missions/turtlebot3_world/mission.yaml -o patrol.qtr --profile mcu");
-  TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
-  unsigned lines = 0;
-  for (char *line = strtok(strchr(result.out, ':'), "\n"); line != NULL; line = strtok(NULL, "\n")) {
-    if (strstr(line, " episodes, ") != NULL) continue;
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(readme, line), line);
-    lines++;
-  }
-  TEST_ASSERT_GREATER_THAN_UINT(6, lines);
-}
-
 static void test_json_has_the_figures(void) {
   run_tool(&result, "learn map.txt --robots 2 --c t.c --profile mcu --json");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
@@ -117,7 +101,6 @@ static void test_a_profile_that_cannot_be_read_is_bad_input(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_a_table_that_fits_tells_what_it_takes);
-  RUN_TEST(test_readme_shows_what_is_printed);
   RUN_TEST(test_json_has_the_figures);
   RUN_TEST(test_without_the_option_nothing_is_said);
   RUN_TEST(test_each_size_is_needed_to_the_last);
