@@ -60,11 +60,12 @@ static bool announce(void *self, qtr_signal *signal) {
   return false;
 }
 
+/* Territories are nothing to it. */
 static bool known(void *self, unsigned index, qtr_signal *signal) {
-  (void)self;
-  (void)index;
-  (void)signal;
-  return false;
+  const baseline *b = self;
+  if (!b->found || index > 0) return false;
+  *signal = (qtr_signal){.kind = QTR_SIGNAL_FOUND};
+  return true;
 }
 
 void baseline_init(baseline *b, const qtr_policy *policy, int self, baseline *crew) {

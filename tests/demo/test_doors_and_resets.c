@@ -1,4 +1,5 @@
 /* Games in which doors are shut and robots' power fails: nothing is announced that nobody scanned, and all come to an end. */
+#include "baselines.h"
 #include "play.h"
 
 #define NO_MINE (-2)
@@ -172,6 +173,20 @@ static void test_a_robot_without_a_plan_goes_on_after_a_reset(void) {
   TEST_ASSERT_TRUE_MESSAGE(play_result.all_stopped_at >= 0.0, case_note);
 }
 
+/* Where signals are lost the others may not have heard of it before. */
+static void test_a_robot_without_a_plan_tells_of_a_find_after_a_reset(void) {
+  static baseline b;
+  qtr_signal signal;
+  play_prepare_drawn("1..S..2/...S...", 0);
+  baseline_init(&b, &play_plan.t.policy, 0, NULL);
+  const robot_pilot pilot = baseline_pilot(&b);
+  TEST_ASSERT_FALSE(pilot.known(pilot.self, 0, &signal));
+  pilot.found(pilot.self);
+  TEST_ASSERT_TRUE(pilot.known(pilot.self, 0, &signal));
+  TEST_ASSERT_EQUAL_INT(QTR_SIGNAL_FOUND, signal.kind);
+  TEST_ASSERT_FALSE(pilot.known(pilot.self, 1, &signal));
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_a_shut_place_is_announced_by_nobody_and_the_others_end);
@@ -181,6 +196,7 @@ int main(void) {
   RUN_TEST(test_a_robot_that_has_no_power_for_long_leaves_nothing_unscanned);
   RUN_TEST(test_a_find_outlasts_a_reset);
   RUN_TEST(test_a_robot_without_a_plan_goes_on_after_a_reset);
+  RUN_TEST(test_a_robot_without_a_plan_tells_of_a_find_after_a_reset);
   plan_free(&play_plan);
   return UNITY_END();
 }
