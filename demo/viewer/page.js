@@ -72,11 +72,11 @@ const PALETTE = [
 ];
 const isDark = () => document.documentElement.dataset.theme === "dark";
 
-/* From the 8th robot on darker, then paler. A dark page wants all of them a little paler. */
+/* From the 8th robot on darker, then paler; on a dark page, which wants all of them a little paler, the other way round. */
 function channels(robot) {
   const turn = Math.floor(robot / PALETTE.length) % 3;
   return PALETTE[robot % PALETTE.length].map((base) => {
-    const varied = turn === 1 ? base * 0.55 : turn === 2 ? 255 - (255 - base) * 0.55 : base;
+    const varied = turn === 0 ? base : (turn === 1) === isDark() ? 255 - (255 - base) * 0.55 : base * 0.55;
     return Math.round(isDark() ? 255 - (255 - varied) * 0.82 : varied);
   });
 }

@@ -94,6 +94,22 @@ class Showing(Pages):
         self.assertIn("#icon-territory_done", marks)
         self.assertEqual(marks - set(self.browser.run(used, "#legend use")), set())
 
+    def test_eight_robots_stand_out_from_the_ground_on_a_light_page_and_on_a_dark_one(self):
+        """Their colours' contrast with the ground is 1.7 to 1 or more (WCAG's measure), dark 3.5 to 1."""
+        script = """
+            const light = (text) => text.match(/[0-9.]+/g).slice(0, 3).map((part) => part / 255)
+              .map((part) => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4)
+              .reduce((sum, part, k) => sum + part * [0.2126, 0.7152, 0.0722][k], 0.05);
+            const probe = document.body.appendChild(document.createElement("i"));
+            probe.style.color = style.ground;
+            const ground = light(getComputedStyle(probe).color);
+            return Math.min(...[0, 1, 2, 3, 4, 5, 6, 7].map((robot) => light(colour(robot)))
+              .map((robot) => Math.max(robot, ground) / Math.min(robot, ground)))"""
+        for scheme, least in (("light", 1.7), ("dark", 3.5)):
+            self.browser.media(prefers_color_scheme=scheme, prefers_reduced_motion="reduce")
+            self.open_replay()
+            self.assertGreater(self.browser.run(script), least, scheme)
+
     def test_the_numbers_of_places_stand_under_one_another(self):
         """Each column has as many decimals in all rows."""
         self.open_replay()
