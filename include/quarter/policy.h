@@ -32,9 +32,9 @@ QTR_C_BEGIN
 
 /* How a record is laid out: a key, the least significant byte first, then a choice; what is left over is 0. */
 typedef struct {
-  uint8_t key_bytes;
+  uint16_t bytes; /* of the whole record */
+  uint16_t key_bytes;
   uint8_t choice_bytes; /* 1 or 2; all ones: stand down */
-  uint8_t bytes;        /* of the whole record */
 } qtr_record_shape;
 
 /* An open table: views into its bytes, which must stay where they are and unchanged as long as it is used. */

@@ -103,7 +103,7 @@ static inline qtr_record_shape record_shape_of(unsigned format, const qtr_board 
   const unsigned key_bytes = is_format_1(format) ? (4u * board->keys.words) : ((board->keys.bits + 7u) / 8u);
   const unsigned choice_bytes = (is_format_1(format) || ((QTR_MAX_PLACES >= 255) && (board->places >= 255u))) ? 2u : 1u;
   const unsigned bytes = key_bytes + (is_format_1(format) ? 4u : choice_bytes);
-  return (qtr_record_shape){(uint8_t)key_bytes, (uint8_t)choice_bytes, (uint8_t)bytes};
+  return (qtr_record_shape){(uint16_t)bytes, (uint16_t)key_bytes, (uint8_t)choice_bytes};
 }
 
 static inline uint16_t record_choice(const uint8_t *record, const qtr_record_shape *shape) {

@@ -216,6 +216,13 @@ static void test_records_out_of_order_or_twice_are_refused(void) {
   TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, open_copy()); /* both, exchanged */
 }
 
+/* Of more places than there are bits in 255 bytes. */
+static void test_records_of_long_keys_are_counted_whole(void) {
+  const qtr_board board = {.places = 4096, .keys = {.bits = 7200, .words = 225}};
+  TEST_ASSERT_EQUAL_UINT(900, record_shape_of(QTR_POLICY_FORMAT, &board).key_bytes);
+  TEST_ASSERT_GREATER_THAN_UINT(900, record_shape_of(QTR_POLICY_FORMAT, &board).bytes);
+}
+
 static void test_table_of_a_build_that_plays_otherwise_is_refused(void) {
   make_table();
   expect_field(QTR_ERR_SELFTEST, QTR_POLICY_DIGEST, qtr_load32(table_bytes + QTR_POLICY_DIGEST) ^ 1, 4);
@@ -419,6 +426,7 @@ int main(void) {
   RUN_TEST(test_place_without_weight_is_refused);
   RUN_TEST(test_choices_out_of_range_are_refused);
   RUN_TEST(test_records_out_of_order_or_twice_are_refused);
+  RUN_TEST(test_records_of_long_keys_are_counted_whole);
   RUN_TEST(test_table_of_a_build_that_plays_otherwise_is_refused);
   RUN_TEST(test_robot_plays_a_table_whose_objective_it_does_not_know_and_a_host_refuses_it);
   RUN_TEST(test_record_that_changes_the_game_is_refused);

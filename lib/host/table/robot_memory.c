@@ -79,11 +79,19 @@ static layout board_of(const robot_sizes *sizes, const robot_processor *processo
   return l;
 }
 
+static layout record_shape_of(const robot_processor *processor) {
+  layout l = begin(processor);
+  put(&l, 2, 2); /* bytes, key_bytes */
+  put(&l, 1, 1); /* choice_bytes */
+  return l;
+}
+
 static layout policy_of(const robot_sizes *sizes, const robot_processor *processor) {
   layout l = begin(processor);
   put_pointers(&l, 1);
   put(&l, 1, 4); /* size */
-  put(&l, 6, 1); /* format, features, any_start, records_shape */
+  put(&l, 3, 1); /* format, features, any_start */
+  put_struct(&l, record_shape_of(processor));
   put_struct(&l, board_of(sizes, processor));
   put_struct(&l, grid_of(processor));
   put(&l, 1, 4); /* records */
