@@ -9,7 +9,8 @@ import sys
 
 from check_source import report, self_test
 
-FOLDERS = ("include", "lib", "tools", "demo", "tests")
+WIDTH = 120  # as .clang-format has it
+FOLDERS = ("include", "lib", "tools", "demo", "tests", "examples")
 
 
 def differs(formatter, project, text):
@@ -22,6 +23,12 @@ def differs(formatter, project, text):
 
 def sources(project):
     return sorted(path for folder in FOLDERS for path in (project / folder).rglob("*.[ch]"))
+
+
+def long_lines(project):
+    """clang-format breaks code, and leaves comments as they are."""
+    return [f"{path.relative_to(project)}:{number}: {len(line)} characters, more than {WIDTH}" for path in sources(project)
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1) if len(line) > WIDTH]
 
 
 def unkept(formatter, project):
@@ -41,6 +48,7 @@ def main():
     faults = unkept(formatter, project)
     if faults:
         faults.append("`cmake --build build/release --target format` lays them out")
+    faults += long_lines(project)
     report(faults, f"{len(sources(project))} files are laid out as .clang-format says")
 
 

@@ -168,7 +168,8 @@ static void note_cramped(void) {
   notes_print(&in->note, before);
 }
 
-/* What can be known of the table before there is one: robots are told of all of the map where they may start anywhere. */
+/* What can be known of the table before there is one: robots are told of all of the map where they may start
+ * anywhere. */
 static int foresee_fit(fit *f, const options *o, fault *why) {
   const qtr_game *game = &learnt->p.game;
   const qtr_mission *mission = game->mission;

@@ -1,6 +1,7 @@
 /* How the learning went, as a CSV file: episode,max_q,value,expected_time,bound,updates,q_entries. A row stands for the
- * state after that many episodes. There is one for every episode that changed MaxQ or the best policy, and enough others
- * that rows are never more than a twentieth apart; so the last episode that changed a column can be read off exactly. */
+ * state after that many episodes. There is one for every episode that changed MaxQ or the best policy, and enough
+ * others that rows are never more than a twentieth apart; so the last episode that changed a column can be read off
+ * exactly. */
 #ifndef QUARTER_TOOLS_CURVE_H
 #define QUARTER_TOOLS_CURVE_H
 

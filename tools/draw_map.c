@@ -1,5 +1,6 @@
 /* The map: walls, solid parts, slow ground, territories, regions. A layer gives every cell a number; cells of the same
- * number are drawn as one path of rectangles as large as they come, so that a map of a million cells stays a small file. */
+ * number are drawn as one path of rectangles as large as they come, so that a map of a million cells stays a small
+ * file. */
 #include <string.h>
 
 #include "draw_parts.h"
@@ -97,7 +98,8 @@ static size_t beside(const drawing *d, size_t cell, int direction) {
   }
 }
 
-/* Every free cell belongs to the seeker that visits the place nearest to it by steps: a flood from all places at once. */
+/* Every free cell belongs to the seeker that visits the place nearest to it by steps: a flood from all places at
+ * once. */
 static void flood_territories(draw_page *page) {
   const drawing *d = page->d;
   size_t head = 0, tail = 0;

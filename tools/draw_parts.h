@@ -45,7 +45,8 @@ typedef struct {
 
 /* ---- draw_style.c ---- */
 
-/* "#rrggbb", from a palette that the colour-blind can tell apart (Okabe and Ito 2008), varied from the 8th seeker on. */
+/* "#rrggbb", from a palette that the colour-blind can tell apart (Okabe and Ito 2008), varied from the 8th seeker
+ * on. */
 const char *draw_colour(char text[8], int seeker);
 /* What to write in on that colour. */
 const char *draw_ink(int seeker);
@@ -85,7 +86,8 @@ int draw_lane(const draw_page *page, int seeker, size_t index);
 /* A box stands here from now on. */
 void draw_take(draw_page *page, const draw_box *box);
 bool draw_is_clear(const draw_page *page, const draw_box *box);
-/* Room for a box around a point, `nearest` from it or a little further; false: there is none, *found stands on least. */
+/* Room for a box around a point, `nearest` from it or a little further; false: there is none, *found stands on
+ * least. */
 bool draw_find_room(const draw_page *page, draw_point point, double nearest, double width, double height,
                     draw_box *found);
 

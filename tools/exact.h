@@ -11,9 +11,9 @@
 int exact_check(const qtr_mission *mission, fault *fault);
 
 /* Solve for the mission's objective and rule. Under the paper's rule a seeker may arrive at a place that another has
- * visited meanwhile: routes list first visits only. `steps` is (seekers + places) x places travel times, row i < seekers
- * from seeker i's start, row seekers + p from place p; QTR_NEVER where there is no way. 0, or -1 with *fault set: too
- * many places for the memory or time that this takes, or no memory. */
+ * visited meanwhile: routes list first visits only. `steps` is (seekers + places) x places travel times, row i <
+ * seekers from seeker i's start, row seekers + p from place p; QTR_NEVER where there is no way. 0, or -1 with *fault
+ * set: too many places for the memory or time that this takes, or no memory. */
 int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_steps *steps, fault *fault);
 
 #endif

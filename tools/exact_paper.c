@@ -2,8 +2,8 @@
  * another by what they are bound for, and the whole joint game has to be searched: a recursion over its states, each
  * solved once.
  *
- * - An idle seeker chooses an unvisited place that no other seeker is bound for; when fewer places than seekers are left
- *   unvisited, any unvisited place. An idle seeker that has nothing to choose is out of the game.
+ * - An idle seeker chooses an unvisited place that no other seeker is bound for; when fewer places than seekers are
+ *   left unvisited, any unvisited place. An idle seeker that has nothing to choose is out of the game.
  * - Whoever is bound for a place goes there, even if another gets there first. Then it earns nothing.
  * - Idle seekers choose one after another with no time passing: the one at the lowest node first, the starts counting
  *   as nodes after the places, the lower seeker on a tie.

@@ -1,4 +1,5 @@
-/* What the two exact solvers share: the problem and its solution in plain numbers, and nothing of how one comes to the other. */
+/* What the two exact solvers share: the problem and its solution in plain numbers, and nothing of how one comes to the
+ * other. */
 #ifndef QUARTER_TOOLS_EXACT_PROBLEM_H
 #define QUARTER_TOOLS_EXACT_PROBLEM_H
 

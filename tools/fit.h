@@ -22,7 +22,8 @@ int fit_begin(fit *f, const char *profile, fault *why);
 /* What an open table needs. */
 void fit_take(fit *f, const qtr_policy *policy);
 
-/* 0, or -1 with *why set and EXIT_UNFIT in it where the profile's arrays are too small for what is needed: the table of `input`. */
+/* 0, or -1 with *why set and EXIT_UNFIT in it where the profile's arrays are too small for what is needed: the table of
+ * `input`. */
 int fit_check(const fit *f, const char *input, fault *why);
 
 /* What the table takes, where it fits; and in JSON whether it does. */

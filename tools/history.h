@@ -2,8 +2,8 @@
  *
  * A header, then a row for each place that is told of. The columns, in any order:
  * - the place: `place` (its number, as the tool shows it), or `column,row`, or `x,y` in metres in the map frame;
- * - `found`, optional: 1 (yes, true) if a target was found there, 0 (no, false) if the place was searched and nothing was
- *   seen. Without it every row is a find. A header of `found` alone is one of `place` alone;
+ * - `found`, optional: 1 (yes, true) if a target was found there, 0 (no, false) if the place was searched and
+ *   nothing was seen. Without it every row is a find. A header of `found` alone is one of `place` alone;
  * - `game`, optional: any word; rows of one game stand together. Without it every row is a game of its own.
  * A game without a find is told by the places that were searched. Commas only; spaces around a field, quotes around it,
  * \r\n and a byte order mark are allowed, empty lines and lines that start with # skipped.
@@ -25,8 +25,8 @@ typedef struct {
   uint32_t found[QTR_MAX_PLACES]; /* finds of each place */
 } history_tally;
 
-/* Read the file `path` and count its games in `belief`, whose places are the input's. `detection` is the probability that
- * a search sees a target which is there. 0, or -1 with *why set; the belief is worthless then. */
+/* Read the file `path` and count its games in `belief`, whose places are the input's. `detection` is the probability
+ * that a search sees a target which is there. 0, or -1 with *why set; the belief is worthless then. */
 int history_read(history_tally *tally, qtr_belief *belief, const input *in, const char *path, double detection,
                  fault *why);
 

@@ -35,7 +35,8 @@ typedef struct {
   double detection;
 } options;
 
-/* Every option of every command, each told of once: how it is spelt, what it takes, where that goes, what help says of it. */
+/* Every option of every command, each told of once: how it is spelt, what it takes, where that goes, what help says of
+ * it. */
 extern option_table option_records;
 
 /* What a problem is made of an input by. */
@@ -43,8 +44,9 @@ extern option_table option_records;
   OPTION_LINE("robots"), OPTION_LINE("objective"), OPTION_LINE("gamma"), OPTION_LINE("rule"),                          \
       OPTION_LINE("cell-size"), OPTION_LINE("skip-unreachable"), OPTION_LINE("snap")
 
-/* How the list of a command ends that learns and reports, and that of one that answers without progress; and what their help says
- * of an early end: of a signal `what` is left, and `first` is what a command that learns may not have come to. */
+/* How the list of a command ends that learns and reports, and that of one that answers without progress; and what their
+ * help says of an early end: of a signal `what` is left, and `first` is what a command that learns may not have come
+ * to. */
 #define OPTION_LINES_OF_REPORT OPTION_LINE("json"), OPTION_LINE("quiet"), {NULL, NULL, 0}
 #define OPTION_LINES_OF_ANSWER OPTION_LINE("json"), {"quiet", "no report but JSON", 0}, {NULL, NULL, 0}
 #define STATUS_OF_SIGNAL(what) "130 (143) ended by Ctrl-C (SIGTERM), " what ".\n"

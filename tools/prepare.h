@@ -6,8 +6,8 @@
 #include "host/plan/problem.h"
 #include "options.h"
 
-/* Read the input, look at the outputs' names, and only then measure travel times, which may take long. 0, or -1 with *why
- * set. */
+/* Read the input, look at the outputs' names, and only then measure travel times, which may take long. 0, or -1 with
+ * *why set. */
 int prepare_problem(problem *p, const options *o, fault *why);
 
 /* All but the travel times. */

@@ -32,8 +32,8 @@ typedef struct {
   fit fit;
 } report;
 
-/* Let the routes name the places by the input's numbers. They name them by the table's, which knows only those that were
- * not left out. */
+/* Let the routes name the places by the input's numbers. They name them by the table's, which knows only those that
+ * were not left out. */
 void report_number_routes(report *r);
 
 /* Print or write the report as the options say. 0, or -1 with *why set. */

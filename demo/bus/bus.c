@@ -120,7 +120,8 @@ static int64_t utime_of(const lcm_recv_buf_t *packet) {
   return utime;
 }
 
-/* The message's own time. A stranger's may lie anywhere, and who plays the log would wait for it: it gets the world's. */
+/* The message's own time. A stranger's may lie anywhere, and who plays the log would wait for it: it gets the
+ * world's. */
 static int64_t log_time_of(const bus *b, const lcm_recv_buf_t *packet) {
   const int64_t utime = utime_of(packet);
   return utime >= 0 && utime <= LATEST && llabs(utime - b->now) <= LOG_LEAP ? utime : b->now;

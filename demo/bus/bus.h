@@ -34,14 +34,15 @@ int bus_open_sealed(bus **b, const char *url, const char *key, fault *why);
 /* From now on seal all termination signals that are sent, and hear none that are not so sealed. */
 void bus_seal(bus *b, const seal *s);
 
-/* Write all that passes to an LCM log, at the world's times, until bus_end_log(). `path` must last until then. 0, or -1 with
- * *why set. */
+/* Write all that passes to an LCM log, at the world's times, until bus_end_log(). `path` must last until then. 0, or -1
+ * with *why set. */
 int bus_record(bus *b, const char *path, fault *why);
 
 /* Some of it could not be written: bus_end_log() will say why, and it is better to end now than to play in vain. */
 bool bus_log_failed(const bus *b);
 
-/* End the log, if there is one: all of it is on the disk. 0, or -1 with *why set and the file, if it is one, removed. */
+/* End the log, if there is one: all of it is on the disk. 0, or -1 with *why set and the file, if it is one,
+ * removed. */
 int bus_end_log(bus *b, fault *why);
 
 /* Lose this share of the termination signals on their way to each receiver, at random. */

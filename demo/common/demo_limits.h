@@ -1,5 +1,5 @@
-/* What the demo holds and what its robots are like, once for all its parts. Not "limits.h": on an include path that would
- * stand in for the C library's. */
+/* What the demo holds and what its robots are like, once for all its parts. Not "limits.h": on an include path that
+ * would stand in for the C library's. */
 #ifndef QUARTER_DEMO_LIMITS_H
 #define QUARTER_DEMO_LIMITS_H
 

@@ -1,5 +1,5 @@
-/* Two ways to say where something is. Points: in cells, x to the right from the left edge, y UP from the bottom edge of the
- * grid; so does the world think, and so do robots drive. Metres: in the map frame, as messages have it. */
+/* Two ways to say where something is. Points: in cells, x to the right from the left edge, y UP from the bottom edge of
+ * the grid; so does the world think, and so do robots drive. Metres: in the map frame, as messages have it. */
 #ifndef QUARTER_DEMO_GROUND_H
 #define QUARTER_DEMO_GROUND_H
 

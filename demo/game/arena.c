@@ -178,7 +178,8 @@ static void settle(arena *a, int robot) {
   if (r->state != STATE_LOST) r->state = r->off ? STATE_OFF : r->stuck ? STATE_STUCK : STATE_ALIVE;
 }
 
-/* With its power a robot's standing orders are gone; when it is there again, its program has as long as any to answer. */
+/* With its power a robot's standing orders are gone; when it is there again, its program has as long as any to
+ * answer. */
 static void switch_power(arena *a, int robot, bool off) {
   arena_robot *r = &a->robot[robot];
   r->off = off;

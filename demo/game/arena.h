@@ -1,5 +1,5 @@
-/* The world with all that surrounds it: mines, clock, faults, and what happened. It publishes each robot's pose and scan
- * and takes its wheel commands; it is the same whether the robots are in this process or in others. */
+/* The world with all that surrounds it: mines, clock, faults, and what happened. It publishes each robot's pose and
+ * scan and takes its wheel commands; it is the same whether the robots are in this process or in others. */
 #ifndef QUARTER_DEMO_ARENA_H
 #define QUARTER_DEMO_ARENA_H
 

@@ -1,5 +1,5 @@
-/* Robots without a plan, to see what dividing the territory is worth: each goes to the nearest place not yet scanned. Blind
- * ones know of their own scans alone; informed ones know at every moment of everybody's scans and targets, by a
+/* Robots without a plan, to see what dividing the territory is worth: each goes to the nearest place not yet scanned.
+ * Blind ones know of their own scans alone; informed ones know at every moment of everybody's scans and targets, by a
  * communication that real robots of this demo do not have. */
 #ifndef QUARTER_DEMO_BASELINES_H
 #define QUARTER_DEMO_BASELINES_H

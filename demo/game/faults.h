@@ -3,7 +3,7 @@
  *   faults:
  *     - {at: 20, lost: 1}              robot 1 is lost: it does and says nothing more, and stays in the way
  *     - {at: 15, stuck: 0, for: 10}    robot 0's wheels do nothing for 10 seconds
- *     - {at: 0, slip: 0.3, robot: 2}   robot 2's wheels lose up to 30 % of their speed, at random; all robots' without it
+ *     - {at: 0, slip: 0.3, robot: 2}   robot 2's wheels lose up to 30 % of their speed; all robots' without it
  *     - {at: 0, loss: 0.3}             30 % of the termination signals are lost on their way to each robot
  *     - {at: 12, shut: 7}              place 7 is shut: nobody gets to it any more, once none is in its cell
  *     - {at: 12, shut: {column: 4, row: 9}}   so is this cell of the map: a door

@@ -87,8 +87,8 @@ static void keep_pace(double begin, double now, double speed) {
   nanosleep(&wait, NULL);
 }
 
-/* A robot saves what it knows after each place and each signal, so that between two ticks its save is what it knows now. All
- * else that it had in memory is gone. */
+/* A robot saves what it knows after each place and each signal, so that between two ticks its save is what it knows
+ * now. All else that it had in memory is gone. */
 static void cut_power(game *g, int i) {
   qtr_seeker_save(&g->seeker[i], g->save[i], sizeof g->save[i]);
   memset(&g->seeker[i], 0, sizeof g->seeker[i]);

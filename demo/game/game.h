@@ -37,7 +37,8 @@ void game_tell(const arena *a, const bus *b, game_result *result);
 /* Seconds that a step of the plan takes a robot of the demo. */
 double game_step_seconds(void);
 
-/* Seconds more that a game may take if doors are shut in it: a robot goes to all that is left, and gives each place up twice. */
+/* Seconds more that a game may take if doors are shut in it: a robot goes to all that is left, and gives each place up
+ * twice. */
 double game_door_seconds(const table *t, const fault_script *faults);
 
 /* A plan's latest visit, in seconds. */

@@ -21,8 +21,8 @@ typedef struct {
 int plan_read(const char *mission, int robots, fault *why);
 
 /* Learn its plan, for at most `seconds`, or read it from `table_path` (NULL: learn), which must be a table of this very
- * mission. `save` (NULL: nowhere) names a file to write the table to. 0, or -1 with *why set and nothing to free; its status
- * is EXIT_STOPPED, here and above, if a signal that stop.h catches came before there was a plan. */
+ * mission. `save` (NULL: nowhere) names a file to write the table to. 0, or -1 with *why set and nothing to free; its
+ * status is EXIT_STOPPED, here and above, if a signal that stop.h catches came before there was a plan. */
 int plan_make(plan *p, const char *table_path, double seconds, const char *save, fault *why);
 void plan_free(plan *p);
 

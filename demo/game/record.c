@@ -300,7 +300,8 @@ void record_event(FILE *out, const arena_event *e) {
 
 static const char hole[] = "<script id=\"replay\" type=\"application/json\">null</script>";
 
-/* In a page, "</" would end the script that holds the data, and "<!--" would hide its end. In JSON, '<' is in strings alone. */
+/* In a page, "</" would end the script that holds the data, and "<!--" would hide its end. In JSON, '<' is in strings
+ * alone. */
 static void put_escaped(FILE *out, const char *text) {
   for (; *text != '\0'; text++) {
     if (*text == '<')

@@ -1,4 +1,5 @@
-/* A game on record: where every robot was, ten times a second, and all that happened; written as a web page that plays it. */
+/* A game on record: where every robot was, ten times a second, and all that happened; written as a web page that plays
+ * it. */
 #ifndef QUARTER_DEMO_RECORD_H
 #define QUARTER_DEMO_RECORD_H
 

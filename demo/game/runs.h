@@ -25,8 +25,8 @@ typedef struct {
 /* One robot lost at a moment of the plan's time, both drawn by the seed: a fault for the script. */
 void runs_draw_loss(fault_script *script, const plan *p, uint64_t seed);
 
-/* Play `games` games with seeds from setup->arena.seed on. With `lose_one` a robot, drawn by the seed, is lost at a moment
- * drawn from the plan's time. 0, or -1 with *why set. Ends early if interrupted. */
+/* Play `games` games with seeds from setup->arena.seed on. With `lose_one` a robot, drawn by the seed, is lost at a
+ * moment drawn from the plan's time. 0, or -1 with *why set. Ends early if interrupted. */
 int runs_play(runs_figures *f, const plan *p, const game_setup *setup, int games, bool lose_one,
               const volatile int *interrupted, bool quiet, fault *why);
 void runs_free(runs_figures *f);

@@ -16,7 +16,8 @@
 #define THREADS "32"      /* connections at a time: each has a thread */
 #define TIMEOUT_MS "3000" /* for a whole request, and for a viewer to read what it is sent */
 
-/* What viewers are told: kept as text, made by the game's thread, read by theirs. Everything below `lock` is under it. */
+/* What viewers are told: kept as text, made by the game's thread, read by theirs. Everything below `lock` is under
+ * it. */
 struct live {
   struct mg_context *server;
   char *page;
@@ -74,8 +75,8 @@ static bool is_here(const char *authority) {
   return false;
 }
 
-/* A page from elsewhere may lead a name of its own to this address: the browser then says that name as the host, or the page's
- * as the origin. */
+/* A page from elsewhere may lead a name of its own to this address: the browser then says that name as the host, or the
+ * page's as the origin. */
 static bool is_welcome(const struct mg_connection *connection) {
   static const char scheme[] = "http://";
   const char *host = mg_get_header(connection, "Host");
@@ -138,8 +139,8 @@ static struct timespec soon(double seconds) {
   return (struct timespec){then.tv_sec + (time_t)seconds + nanoseconds / 1000000000, nanoseconds % 1000000000};
 }
 
-/* Under the lock, which is let go for it: send what is newer, or a line that says nothing, for who has gone is found out by
- * writing alone. False: nobody is there any more. */
+/* Under the lock, which is let go for it: send what is newer, or a line that says nothing, for who has gone is found
+ * out by writing alone. False: nobody is there any more. */
 static bool send_news(live *view, struct mg_connection *connection, progress_of_viewer *seen) {
   const bool newer = view->version != seen->version;
   char *hello = newer && !seen->greeted ? strdup(view->hello) : NULL;
@@ -157,8 +158,9 @@ static bool send_news(live *view, struct mg_connection *connection, progress_of_
   return alive;
 }
 
-/* Under the lock: a seat for a viewer that comes. Where all are taken, who has had its own for longest loses it: a browser comes
- * back by itself, and whoever does not read, which at a frame's size cannot be told for minutes, does not. */
+/* Under the lock: a seat for a viewer that comes. Where all are taken, who has had its own for longest loses it: a
+ * browser comes back by itself, and whoever does not read, which at a frame's size cannot be told for minutes, does
+ * not. */
 static uint64_t *take_seat(live *view) {
   uint64_t *seat = &view->seat[0];
   for (int i = 1; i < LIVE_VIEWERS; i++)

@@ -1,8 +1,8 @@
-/* The viewer's page and a stream of what happens, served on this machine alone while a game runs. live.c is the only file
- * that includes the web server's library.
+/* The viewer's page and a stream of what happens, served on this machine alone while a game runs. live.c is the only
+ * file that includes the web server's library.
  *
- * It answers to localhost, 127.0.0.1 and [::1] alone, as host and as origin, and gives up connections that ask for nothing or
- * do not read. */
+ * It answers to localhost, 127.0.0.1 and [::1] alone, as host and as origin, and gives up connections that ask for
+ * nothing or do not read. */
 #ifndef QUARTER_DEMO_LIVE_H
 #define QUARTER_DEMO_LIVE_H
 

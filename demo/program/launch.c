@@ -74,8 +74,8 @@ static int write_table(const crew *c, const plan *p, fault *why) {
   return fault_set(why, "%s: cannot be written whole; is the disk full?", c->table);
 }
 
-/* Each child is a process group of its own: Ctrl-C reaches the launcher alone, which ends them in order. A signal that comes
- * before the program runs ends the child; the launcher's handler, which it has until then, would swallow it. */
+/* Each child is a process group of its own: Ctrl-C reaches the launcher alone, which ends them in order. A signal that
+ * comes before the program runs ends the child; the launcher's handler, which it has until then, would swallow it. */
 static pid_t start(const crew *c, const char *program, const char *const *words) {
   char path[PATH_MAX + 32];
   sigset_t ends, before;
@@ -180,8 +180,8 @@ static void restore_power(crew *c, int number) {
   c->robot[number] = start_robot(c, number);
 }
 
-/* At each word of the world's, though several wait: power may be away for less time than the launcher looks away. Who is lost
- * without power stays so. */
+/* At each word of the world's, though several wait: power may be away for less time than the launcher looks away. Who
+ * is lost without power stays so. */
 static void hear_status(void *user, const message_status *m) {
   crew *c = user;
   for (int i = 0; i < c->robots && i < m->robots; i++) {
@@ -229,8 +229,8 @@ static void hurry(const crew *c, double speed) {
   if (c->abandoned && clock_seconds() - c->since > patience) kill(c->world, SIGKILL);
 }
 
-/* Until the world ends. Returns its wait status. Looks every now and then, for an interrupt that comes just before a wait
- * would be waited through. */
+/* Until the world ends. Returns its wait status. Looks every now and then, for an interrupt that comes just before a
+ * wait would be waited through. */
 static int watch(crew *c, double speed, const volatile int *interrupted) {
   const struct timespec soon = {0, 20000000};
   bool told = false;

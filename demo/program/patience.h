@@ -1,5 +1,5 @@
-/* How long the programs of one game wait for one another, on a clock that only goes forward, and how they say that it was in
- * vain. */
+/* How long the programs of one game wait for one another, on a clock that only goes forward, and how they say that it
+ * was in vain. */
 #ifndef QUARTER_DEMO_PATIENCE_H
 #define QUARTER_DEMO_PATIENCE_H
 

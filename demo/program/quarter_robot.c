@@ -127,7 +127,8 @@ static int tell(const words *w) {
 static uint8_t saved[QTR_SAVE_BYTES];
 static bool unsaved; /* it could not be written, and that was said */
 
-/* As at the start, or from the save, if that is of this robot, table and run. QTR_OK, or what qtr_seeker_init() says. */
+/* As at the start, or from the save, if that is of this robot, table and run. QTR_OK, or what qtr_seeker_init()
+ * says. */
 static int begin(const words *w) {
   FILE *file = w->save != NULL ? fopen(w->save, "rb") : NULL;
   const uint32_t size = file != NULL ? (uint32_t)fread(saved, 1, sizeof saved, file) : 0;
@@ -155,8 +156,8 @@ static void keep(const words *w) {
 
 /* ---- the bus ---- */
 
-/* A world ends without a word. What it leaves is a robot that has stopped, or one that is still on its way. Its save goes with it:
- * in the next search it would announce what was scanned in this one. */
+/* A world ends without a word. What it leaves is a robot that has stopped, or one that is still on its way. Its save
+ * goes with it: in the next search it would announce what was scanned in this one. */
 static int judge(const words *w) {
   if (w->save != NULL) unlink(w->save);
   if (robot_stopped(&self)) return 0;
@@ -196,7 +197,8 @@ static int open_table(const void *bytes, uint32_t size) {
   return status == QTR_OK ? qtr_policy_check(&policy) : status;
 }
 
-/* The bus, sealed if there is a key; nothing that was read will be written over. 0, or the exit status, with one line said. */
+/* The bus, sealed if there is a key; nothing that was read will be written over. 0, or the exit status, with one line
+ * said. */
 static int open_bus(bus **b, const words *w) {
   fault why;
   if (bus_open_sealed(b, w->url, w->key, &why) != 0) return refuse(&why);

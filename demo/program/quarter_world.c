@@ -94,8 +94,8 @@ static int gather(bus *b, fault *why) {
                    missing);
 }
 
-/* Ticks keep to the clock, but after a hold-up time is not made up for: in a burst of ticks no robot could answer. Returns
- * the longest hold-up, in seconds. */
+/* Ticks keep to the clock, but after a hold-up time is not made up for: in a burst of ticks no robot could answer.
+ * Returns the longest hold-up, in seconds. */
 static double play(bus *b, record *r, double speed) {
   const double tick = ARENA_TICK / speed;
   double due = clock_seconds();
@@ -123,7 +123,8 @@ static int check_one_mission(fault *why) {
       a.stranger);
 }
 
-/* Whether robots went away in the midst of it. One whose program ended is as good as lost, and the others go on without it. */
+/* Whether robots went away in the midst of it. One whose program ended is as good as lost, and the others go on without
+ * it. */
 static int check_whole(double held, fault *why) {
   if (held > PATIENCE_SILENCE && arena_silent(&a) > 0)
     return fault_set(why,

@@ -1,8 +1,8 @@
 /* Driving: from where a robot is and where it wants to be next, past what its rays see, to the speeds of its wheels.
  *
- * Robots keep right: each cell is left through the right half of its side, so that two that meet in a corridor one cell wide
- * pass one another without knowing of each other. What stands in the way all the same is driven around, to the right if
- * both sides will do.
+ * Robots keep right: each cell is left through the right half of its side, so that two that meet in a corridor one cell
+ * wide pass one another without knowing of each other. What stands in the way all the same is driven around, to the
+ * right if both sides will do.
  */
 #ifndef QUARTER_DEMO_DRIVER_H
 #define QUARTER_DEMO_DRIVER_H

@@ -16,7 +16,8 @@ bool gossip_learn(gossip *g, int signal, int territory) {
 }
 
 void gossip_repeat(gossip *g, int64_t utime, void (*say)(void *user, int signal, int territory), void *user) {
-  /* The moments come from outside, so without a sign: one that lies more than a period before the next is a clock set anew. */
+  /* The moments come from outside, so without a sign: one that lies more than a period before the next is a clock set
+   * anew. */
   const uint64_t left = (uint64_t)g->next - (uint64_t)utime;
   if (!g->news && left - 1 < GOSSIP_PERIOD) return;
   g->news = false;

@@ -1,5 +1,5 @@
-/* Whether a robot may still get to its target: no longer where the grid has no way from where it is, or where it has come no
- * nearer for so long that whatever is in the way will hardly go. */
+/* Whether a robot may still get to its target: no longer where the grid has no way from where it is, or where it has
+ * come no nearer for so long that whatever is in the way will hardly go. */
 #ifndef QUARTER_DEMO_HOPE_H
 #define QUARTER_DEMO_HOPE_H
 

@@ -139,8 +139,8 @@ static double nearest_towards(const robot *r, const message_scan *m, point goal)
   return nearest;
 }
 
-/* Distance from a place, in cells. What was measured where is known only if pose and scan are of one moment: with messages
- * lost, a place might count as scanned that was not. */
+/* Distance from a place, in cells. What was measured where is known only if pose and scan are of one moment: with
+ * messages lost, a place might count as scanned that was not. */
 static double away_from(const robot *r, const message_scan *m, uint16_t place) {
   const point at = position(r);
   const point goal = ground_centre(&r->g, qtr_policy_cell(r->policy, place));
@@ -170,8 +170,8 @@ static void take_announcements(robot *r) {
   while (r->pilot.announce(r->pilot.self, &signal)) gossip_learn(&r->known, signal.kind, signal.territory);
 }
 
-/* Who makes no way tries the other side of the road: a lost robot may lie just where one would turn. On slow ground all takes
- * longer. */
+/* Who makes no way tries the other side of the road: a lost robot may lie just where one would turn. On slow ground all
+ * takes longer. */
 static double choose_lane(robot *r) {
   const point at = position(r);
   const int64_t slowness = ground_slowness(&r->g, at);

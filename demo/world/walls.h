@@ -8,8 +8,8 @@ typedef struct {
   uint16_t column, row, columns, rows; /* in cells; row 0 is the top row */
 } wall;
 
-/* Cover the blocked cells of a grid by rectangles that do not overlap: newly allocated `*walls`, which the caller frees.
- * Returns their number, or -1 if there is no memory. */
+/* Cover the blocked cells of a grid by rectangles that do not overlap: newly allocated `*walls`, which the caller
+ * frees. Returns their number, or -1 if there is no memory. */
 int walls_make(wall **walls, const qtr_grid *grid);
 
 #endif

@@ -1,8 +1,8 @@
-/* The physical world: robots on wheels among walls, on ground that may be slow, over mines. Seen from above, free of gravity,
- * in cells (ground.h). world.c is the only file that includes Box2D.
+/* The physical world: robots on wheels among walls, on ground that may be slow, over mines. Seen from above, free of
+ * gravity, in cells (ground.h). world.c is the only file that includes Box2D.
  *
- * Robots are round, with two wheels. What the wheels are told becomes motion through noise, slip and limited grip. The same
- * seed and the same commands give the same run, bit for bit.
+ * Robots are round, with two wheels. What the wheels are told becomes motion through noise, slip and limited grip. The
+ * same seed and the same commands give the same run, bit for bit.
  */
 #ifndef QUARTER_DEMO_WORLD_H
 #define QUARTER_DEMO_WORLD_H
@@ -36,7 +36,8 @@ void world_drive(world *w, int robot, double left, double right);
 
 world_pose world_pose_of(const world *w, int robot);
 
-/* Distances that `count` rays reach, evenly spread counter-clockwise from the heading; DEMO_EYE_RANGE where nothing is. */
+/* Distances that `count` rays reach, evenly spread counter-clockwise from the heading; DEMO_EYE_RANGE where nothing
+ * is. */
 void world_look(const world *w, int robot, float *range, int count);
 
 /* ---- faults ---- */

@@ -1,5 +1,6 @@
-/* The board that main.c runs on: wheels, sensor, radio, and memory that outlasts a reset. Replace board.c by your own; the one
- * here makes a world up, in which the power fails once, a door is shut for a while, robot 1 is done early and robot 2 is lost. */
+/* The board that main.c runs on: wheels, sensor, radio, and memory that outlasts a reset. Replace board.c by your own;
+ * the one here makes a world up, in which the power fails once, a door is shut for a while, robot 1 is done early and
+ * robot 2 is lost. */
 #ifndef BOARD_H
 #define BOARD_H
 

@@ -1,5 +1,5 @@
-/* A robot's firmware, whole: start, self-test, walk, resume after a reset, terminate. No heap, no floating point; the table is a
- * constant, learnt from a mission while this was built. */
+/* A robot's firmware, whole: start, self-test, walk, resume after a reset, terminate. No heap, no floating point; the
+ * table is a constant, learnt from a mission while this was built. */
 #include <stdio.h>
 
 #include "board.h"
@@ -13,7 +13,8 @@ static qtr_policy policy;
 static qtr_seeker seeker;
 static qtr_field field;
 
-/* Opening checks every number of the table, and plays the whole game once to see that this build plays it as the learner did. */
+/* Opening checks every number of the table, and plays the whole game once to see that this build plays it as the
+ * learner did. */
 static bool self_test(void) {
   const int status = qtr_version() == QTR_VERSION ? qtr_policy_open(&policy, patrol, patrol_size) : QTR_ERR_CONFIG;
   printf("self-test: %s\n", qtr_strerror(status));
@@ -22,8 +23,7 @@ static bool self_test(void) {
 
 /* After a reset the save says what is done already; where there is none, or it is of another search, we begin. */
 static bool start(void) {
-  if (!board_is_new() &&
-      qtr_seeker_restore(&seeker, &policy, MY_NUMBER, board_memory(), QTR_SAVE_BYTES) == QTR_OK) {
+  if (!board_is_new() && qtr_seeker_restore(&seeker, &policy, MY_NUMBER, board_memory(), QTR_SAVE_BYTES) == QTR_OK) {
     printf("resumed: %u places left\n", qtr_seeker_left(&seeker, NULL));
     return true;
   }

@@ -1,10 +1,10 @@
-/* A table that also answers for starts in any region of the map, and for any set of places cleared beforehand, so that one
- * table serves redeployment and a mission resumed.
+/* A table that also answers for starts in any region of the map, and for any set of places cleared beforehand, so that
+ * one table serves redeployment and a mission resumed.
  *
  * For every crew (a region for each seeker; alike seekers are interchangeable, so the regions of a crew never fall) and
  * every set of places cleared there is a game to learn. All are recorded on one board, whose starts are the regions'
- * representatives and after them the mission's own. The mission's own games come first, and in a state that several games
- * meet theirs decide, so that the certificate in the table is what they earn.
+ * representatives and after them the mission's own. The mission's own games come first, and in a state that several
+ * games meet theirs decide, so that the certificate in the table is what they earn.
  *
  *   qtr_any_start_init(&any, &asked, &blocks, &travel);
  *   while (qtr_any_start_next(&any)) {
@@ -72,8 +72,8 @@ typedef struct {
 /* QTR_OK, or QTR_ERR_LIMIT for more regions than a table can tell starts of. */
 int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked);
 
-/* Measure the board. `travel` is scratch. QTR_OK, QTR_ERR_STOPPED by the mission's watch, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if
- * the caller was built under other sizes. */
+/* Measure the board. `travel` is scratch. QTR_OK, QTR_ERR_STOPPED by the mission's watch, QTR_ERR_LIMIT, or
+ * QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_any_start_init(any, asked, blocks, travel)                                                                 \
   qtr_any_start_init_built(any, asked, blocks, travel, QTR_CONFIG_ID)
 int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *asked, const qtr_any_start_blocks *blocks,
@@ -90,8 +90,8 @@ bool qtr_any_start_next(qtr_any_start *any);
 /* The mission that is left in the game under way, as qtr_rest_make() has it. */
 void qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *number);
 
-/* Record the game under way, played by routes whose places are numbered by `number` (NULL: as in the whole mission). QTR_OK;
- * with nothing recorded QTR_ERR_SPACE if the entries have no room left: copy them to a larger block, tell it by
+/* Record the game under way, played by routes whose places are numbered by `number` (NULL: as in the whole mission).
+ * QTR_OK; with nothing recorded QTR_ERR_SPACE if the entries have no room left: copy them to a larger block, tell it by
  * qtr_any_start_move(), and try again. */
 int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16_t *number);
 
@@ -101,7 +101,8 @@ void qtr_any_start_move(qtr_any_start *any, uint8_t *entries, size_t room);
 /* No more games: sort the entries, and keep one record of each state. */
 void qtr_any_start_finish(qtr_any_start *any);
 
-/* What the table is made of; lives as long as all that it points to. The certificate is that of the mission's own game. */
+/* What the table is made of; lives as long as all that it points to. The certificate is that of the mission's own
+ * game. */
 qtr_table_content qtr_any_start_content(const qtr_any_start *any, const qtr_certificate *certificate, uint64_t seed);
 
 QTR_C_END

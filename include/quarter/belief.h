@@ -1,7 +1,7 @@
 /* The third level (paper, section 6): where targets are, learnt from where they were found.
  *
- * What is known about the places is a Dirichlet distribution: for each place a count of targets found there, on top of a
- * prior that counts as so many finds. Its mean is the estimate, and serves as a mission's weights. Within a game the
+ * What is known about the places is a Dirichlet distribution: for each place a count of targets found there, on top of
+ * a prior that counts as so many finds. Its mean is the estimate, and serves as a mission's weights. Within a game the
  * places found empty shift it by Bayes' rule.
  */
 #ifndef QUARTER_BELIEF_H
@@ -28,12 +28,12 @@ typedef struct {
 } qtr_belief;
 
 /* Begin with a prior of `strength` pseudo-finds in all, divided among the places by `weights` (above 0, any unit), or
- * evenly if it is NULL. A great strength holds on to the prior, a small one follows the first finds; half a find a place
- * (strength = places / 2) is Jeffreys' choice. `keep` below 1 follows a hider that changes its ways: finds n games ago
- * count keep^n, and where nothing was found for long the estimate goes back to the prior. QTR_OK; QTR_ERR_LIMIT for more
- * places than the build holds; QTR_ERR_ARGUMENT for no place, a keep out of (0, 1] or a strength out of (0, 1e15];
- * QTR_ERR_WEIGHT for a weight that is not a finite number above 0, or whose share of the strength is below
- * QTR_BELIEF_LEAST; QTR_ERR_CONFIG if the caller was built under other sizes. */
+ * evenly if it is NULL. A great strength holds on to the prior, a small one follows the first finds; half a find a
+ * place (strength = places / 2) is Jeffreys' choice. `keep` below 1 follows a hider that changes its ways: finds n
+ * games ago count keep^n, and where nothing was found for long the estimate goes back to the prior. QTR_OK;
+ * QTR_ERR_LIMIT for more places than the build holds; QTR_ERR_ARGUMENT for no place, a keep out of (0, 1] or a strength
+ * out of (0, 1e15]; QTR_ERR_WEIGHT for a weight that is not a finite number above 0, or whose share of the strength is
+ * below QTR_BELIEF_LEAST; QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_belief_init(belief, places, weights, strength, keep)                                                       \
   qtr_belief_init_sized(belief, places, weights, strength, keep, QTR_CONFIG_ID)
 int qtr_belief_init_sized(qtr_belief *belief, unsigned places, const double *weights, double strength, double keep,
@@ -42,8 +42,8 @@ int qtr_belief_init_sized(qtr_belief *belief, unsigned places, const double *wei
 /* A game begins: the finds so far fade by `keep`. */
 void qtr_belief_begin_game(qtr_belief *belief);
 
-/* A target was found at a place; a game may have several. QTR_OK; QTR_ERR_ARGUMENT for no such place; QTR_ERR_LIMIT when
- * its count is full, which leaves it as it is. */
+/* A target was found at a place; a game may have several. QTR_OK; QTR_ERR_ARGUMENT for no such place; QTR_ERR_LIMIT
+ * when its count is full, which leaves it as it is. */
 int qtr_belief_found(qtr_belief *belief, unsigned place);
 
 /* The mean: of each place (prior + found) / sum of both over all. All above 0, sum 1: weights for a mission. */
@@ -51,7 +51,8 @@ void qtr_belief_estimate(const qtr_belief *belief, double *estimate);
 
 /* ---- within a game ---- */
 
-/* What a game has seen so far: of each place the likelihood of having seen nothing there although the target is there. */
+/* What a game has seen so far: of each place the likelihood of having seen nothing there although the target is
+ * there. */
 typedef struct {
   uint16_t places;
   double missed[QTR_MAX_PLACES];
@@ -68,10 +69,10 @@ int qtr_search_empty(qtr_search *search, unsigned place, double detection);
  * was to see nothing so far. 0: the target is at none of the places, and the posterior is 0 everywhere. */
 double qtr_search_posterior(const qtr_search *search, const qtr_belief *belief, double *posterior);
 
-/* The game ended without a find. Its target counts as parts of a find, divided by the posterior: the mean is then exactly
- * that of the true distribution, a mixture of Dirichlets, which is replaced by the one Dirichlet of that mean. QTR_OK, or
- * QTR_ERR_ARGUMENT with nothing changed if the target was at none of the places: such a game tells nothing of where it
- * is. */
+/* The game ended without a find. Its target counts as parts of a find, divided by the posterior: the mean is then
+ * exactly that of the true distribution, a mixture of Dirichlets, which is replaced by the one Dirichlet of that mean.
+ * QTR_OK, or QTR_ERR_ARGUMENT with nothing changed if the target was at none of the places: such a game tells nothing
+ * of where it is. */
 int qtr_belief_not_found(qtr_belief *belief, const qtr_search *search);
 
 /* ---- as bytes: little-endian, doubles IEEE 754 ---- */

@@ -35,8 +35,8 @@ typedef struct {
   qtr_key_shape keys;                 /* set by qtr_board_init(): `longest` is the greatest finite travel time */
 } qtr_board;
 
-/* Check the first part and derive the rest. QTR_OK, QTR_ERR_ARGUMENT, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if the caller was
- * built under other sizes. */
+/* Check the first part and derive the rest. QTR_OK, QTR_ERR_ARGUMENT, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if the caller
+ * was built under other sizes. */
 #define qtr_board_init(board) qtr_board_init_built(board, QTR_CONFIG_ID)
 int qtr_board_init_built(qtr_board *board, uint32_t config_id);
 

@@ -1,11 +1,11 @@
 /* Array sizes of the core, the only place where they are stated.
  *
  * Every array in Quarter has a fixed size from this file. Choose a profile (QTR_PROFILE_MCU, the default under Arduino,
- * ESP-IDF, PlatformIO and Zephyr; QTR_PROFILE_TINY; else the host profile), override single sizes with -D, or name a header of
- * your own with -DQTR_CONFIG_HEADER='"my_quarter.h"'.
- * All code that is linked together must be built under the same sizes. Whoever sets up a structure whose size depends on
- * them (the functions that end in _built and _sized, behind macros of the plain name) hands over the caller's
- * QTR_CONFIG_ID; a difference is QTR_ERR_CONFIG with nothing written, never a fault later on.
+ * ESP-IDF, PlatformIO and Zephyr; QTR_PROFILE_TINY; else the host profile), override single sizes with -D, or name a
+ * header of your own with -DQTR_CONFIG_HEADER='"my_quarter.h"'. All code that is linked together must be built under
+ * the same sizes. Whoever sets up a structure whose size depends on them (the functions that end in _built and _sized,
+ * behind macros of the plain name) hands over the caller's QTR_CONFIG_ID; a difference is QTR_ERR_CONFIG with nothing
+ * written, never a fault later on.
  */
 #ifndef QUARTER_CONFIG_H
 #define QUARTER_CONFIG_H
@@ -17,8 +17,9 @@
 #include QTR_CONFIG_HEADER
 #endif
 
-/* What is built by a firmware's framework is for a robot: application and library alike. Tiny is for one that learns by itself, 100
- * cells, 8 places and 2 seekers in 16 kB (docs/DESIGN.md), without spots or regions, and like any other robot's in the rest. */
+/* What is built by a firmware's framework is for a robot: application and library alike. Tiny is for one that learns by
+ * itself, 100 cells, 8 places and 2 seekers in 16 kB (docs/DESIGN.md), without spots or regions, and like any other
+ * robot's in the rest. */
 #if !defined(QTR_PROFILE_MCU) && (defined(ARDUINO) || defined(ESP_PLATFORM) || defined(PLATFORMIO) ||                  \
                                   defined(__ZEPHYR__) || defined(QTR_PROFILE_TINY))
 #define QTR_PROFILE_MCU
@@ -99,8 +100,9 @@
 #define QTR_MAX_REGION_DIAMETER 65535
 #endif
 
-/* Learner: 32-bit words given to the Q-table's entries at most. An entry takes 2 words for a small mission and up to 7 for a
- * large one. A full table refuses new entries and counts them; the certificate stays valid, its gap closes slower. */
+/* Learner: 32-bit words given to the Q-table's entries at most. An entry takes 2 words for a small mission and up to 7
+ * for a large one. A full table refuses new entries and counts them; the certificate stays valid, its gap closes
+ * slower. */
 #ifndef QTR_QTABLE_WORDS
 #if defined(QTR_PROFILE_TINY)
 #define QTR_QTABLE_WORDS 1024
@@ -125,8 +127,8 @@
 #endif
 #endif
 
-/* Learner: powers of gamma that are kept ready, 8 bytes each; later ones are computed, which takes longer. Other sizes may
- * differ in the last bit of what is discounted. */
+/* Learner: powers of gamma that are kept ready, 8 bytes each; later ones are computed, which takes longer. Other sizes
+ * may differ in the last bit of what is discounted. */
 #ifndef QTR_OBJECTIVE_POWERS
 #if defined(QTR_PROFILE_TINY)
 #define QTR_OBJECTIVE_POWERS 64

@@ -1,7 +1,7 @@
 /* Who visits what in which order: the division of the ground that a table makes of a deployment.
  *
- * It is the nominal game, played once from the start by the table. Every robot plays it by itself and comes to the same. A
- * seeker's places in it, in their order, are its territory.
+ * It is the nominal game, played once from the start by the table. Every robot plays it by itself and comes to the
+ * same. A seeker's places in it, in their order, are its territory.
  */
 #ifndef QUARTER_DIVISION_H
 #define QUARTER_DIVISION_H
@@ -16,8 +16,8 @@
 
 QTR_C_BEGIN
 
-/* Each place is chosen once. Under the paper's rule seekers follow others where no place is left for them alone: then no more
- * places than seekers are left, and each seeker goes to each of them at most once. */
+/* Each place is chosen once. Under the paper's rule seekers follow others where no place is left for them alone: then
+ * no more places than seekers are left, and each seeker goes to each of them at most once. */
 #define QTR_MAX_MOVES (QTR_MAX_PLACES + (QTR_MAX_SEEKERS * QTR_MAX_SEEKERS))
 
 typedef struct {

@@ -1,9 +1,9 @@
 /* The environment as the Q-learning unit sees it: the game behind its state aggregation unit (paper, Fig. 5.1).
  *
- * Without aggregation it is the game itself: targets are places, travel times exact, states lossless. With spots a target
- * is a spot, toured without a break; times stay exact. With regions the seekers' cells are seen as regions alone, and
- * travel times are taken from a region's representative, whatever the cell (section 5.2.3), so that they are the same for
- * all of a region. What a policy learnt here is worth is found on the ground, never here.
+ * Without aggregation it is the game itself: targets are places, travel times exact, states lossless. With spots a
+ * target is a spot, toured without a break; times stay exact. With regions the seekers' cells are seen as regions
+ * alone, and travel times are taken from a region's representative, whatever the cell (section 5.2.3), so that they are
+ * the same for all of a region. What a policy learnt here is worth is found on the ground, never here.
  *
  * Idle seekers choose by the joint game's rules, over targets instead of places.
  */
@@ -35,15 +35,15 @@ typedef struct {
 /* Nothing aggregated, free rule; spots, were they asked for, by their default and in their best order. */
 void qtr_aggregation_default(qtr_aggregation *how);
 
-/* QTR_OK; QTR_ERR_ARGUMENT for settings out of their ranges or not from their default; what qtr_spots_check() says of the
- * spots that are asked for. */
+/* QTR_OK; QTR_ERR_ARGUMENT for settings out of their ranges or not from their default; what qtr_spots_check() says of
+ * the spots that are asked for. */
 int qtr_aggregation_check(const qtr_aggregation *how);
 
 /* Stands in a block of the caller's, and lives as long as that. */
 typedef struct qtr_environment qtr_environment;
 
-/* Bytes of the block that an environment over a game takes; with regions, which are divided already, that is most of it.
- * `how` NULL: no aggregation. */
+/* Bytes of the block that an environment over a game takes; with regions, which are divided already, that is most of
+ * it. `how` NULL: no aggregation. */
 size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how);
 
 /* At most, for blocks in static storage: without regions, and with them. */
@@ -53,12 +53,12 @@ size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how);
 #define QTR_ENVIRONMENT_REGIONS_BYTES                                                                                  \
   (QTR_ENVIRONMENT_BYTES + (size_t)QTR_MAX_PLACES * (sizeof(qtr_steps) * QTR_MAX_REGIONS + (QTR_MAX_CELLS + 3) / 4))
 
-/* Set an environment up over a game, in a block of so many bytes, aligned as for a uint64_t. `how` NULL: no aggregation, and
- * the rule is the mission's. `travel` is scratch. Game, regions and block must outlive it. QTR_OK, and then alone
- * `*environment` is set; QTR_ERR_SPACE for a block of fewer bytes than qtr_environment_bytes(), QTR_ERR_ARGUMENT for one that
- * is not aligned; an error of qtr_aggregation_check() or qtr_spots_build(); QTR_ERR_UNREACHABLE if a tour has no way;
- * QTR_ERR_CONFIG if the caller was built under other sizes; QTR_ERR_STOPPED by the mission's watch, never without
- * aggregation. */
+/* Set an environment up over a game, in a block of so many bytes, aligned as for a uint64_t. `how` NULL: no
+ * aggregation, and the rule is the mission's. `travel` is scratch. Game, regions and block must outlive it. QTR_OK, and
+ * then alone `*environment` is set; QTR_ERR_SPACE for a block of fewer bytes than qtr_environment_bytes(),
+ * QTR_ERR_ARGUMENT for one that is not aligned; an error of qtr_aggregation_check() or qtr_spots_build();
+ * QTR_ERR_UNREACHABLE if a tour has no way; QTR_ERR_CONFIG if the caller was built under other sizes; QTR_ERR_STOPPED
+ * by the mission's watch, never without aggregation. */
 #define qtr_environment_init(environment, block, bytes, game, how, travel)                                             \
   qtr_environment_init_built(environment, block, bytes, game, how, travel, QTR_CONFIG_ID)
 int qtr_environment_init_built(qtr_environment **environment, void *block, size_t bytes, const qtr_game *game,

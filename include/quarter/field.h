@@ -38,22 +38,24 @@ typedef struct {
   qtr_field_cell cell[QTR_MAX_CELLS];
 } qtr_field;
 
-/* Begin a search for the ways to `target`. QTR_OK; QTR_ERR_ARGUMENT for a target that is blocked or outside, which then has a
- * way from no cell; QTR_ERR_LIMIT for a grid of more cells than the build holds, QTR_ERR_CONFIG if the caller was built under
- * other sizes, both with nothing written. */
+/* Begin a search for the ways to `target`. QTR_OK; QTR_ERR_ARGUMENT for a target that is blocked or outside, which then
+ * has a way from no cell; QTR_ERR_LIMIT for a grid of more cells than the build holds, QTR_ERR_CONFIG if the caller was
+ * built under other sizes, both with nothing written. */
 #define qtr_field_begin(field, grid, target) qtr_field_begin_built(field, grid, target, QTR_CONFIG_ID)
 int qtr_field_begin_built(qtr_field *field, const qtr_grid *grid, qtr_cell target, uint32_t config_id);
 
-/* Go on with it, over the grid that it was begun with, for at most so many steps, each of which looks at one neighbour of a
- * cell. False when there is no more to do. Dijkstra's algorithm over a ring of time buckets (Dial 1969), linear in the cells. */
+/* Go on with it, over the grid that it was begun with, for at most so many steps, each of which looks at one neighbour
+ * of a cell. False when there is no more to do. Dijkstra's algorithm over a ring of time buckets (Dial 1969), linear in
+ * the cells. */
 bool qtr_field_work(qtr_field *field, const qtr_grid *grid, unsigned steps);
 
 /* All of it at once. Returns what qtr_field_begin() does. */
 #define qtr_field_fill(field, grid, target) qtr_field_fill_built(field, grid, target, QTR_CONFIG_ID)
 int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target, uint32_t config_id);
 
-/* The cell to enter next on a shortest path from `cell` to the field's target: the first in the order N, E, S, W. `cell` itself
- * at the target; QTR_NO_CELL where there is no way, or none is known yet, and for a cell outside the grid. */
+/* The cell to enter next on a shortest path from `cell` to the field's target: the first in the order N, E, S, W.
+ * `cell` itself at the target; QTR_NO_CELL where there is no way, or none is known yet, and for a cell outside the
+ * grid. */
 qtr_cell qtr_field_next(const qtr_field *field, const qtr_grid *grid, qtr_cell cell);
 
 QTR_C_END

@@ -50,8 +50,8 @@ static inline qtr_cell qtr_game_start_cell(const qtr_game *game, unsigned start)
 /* Whether any seeker can reach a place; false if there is no such place. */
 bool qtr_game_reachable(const qtr_game *game, unsigned place);
 
-/* What visiting `place` at step `when` is worth, under the mission's objective. The innermost of the learner's loops: the
- * place, one of the game's, is not checked. */
+/* What visiting `place` at step `when` is worth, under the mission's objective. The innermost of the learner's loops:
+ * the place, one of the game's, is not checked. */
 static inline double qtr_game_worth(const qtr_game *game, unsigned place, qtr_steps when) {
   return qtr_objective_worth(&game->objective, game->probability[place], when);
 }
@@ -59,11 +59,12 @@ static inline double qtr_game_worth(const qtr_game *game, unsigned place, qtr_st
 /* The first state. */
 void qtr_game_start(const qtr_game *game, qtr_state *state);
 
-/* `seeker`, whose turn it is, makes an allowed choice (of others nothing comes: qtr_joint_choose()). No time passes. Returns
- * the reward of a place at no distance, visited at once: only a place on a start cell is. */
+/* `seeker`, whose turn it is, makes an allowed choice (of others nothing comes: qtr_joint_choose()). No time passes.
+ * Returns the reward of a place at no distance, visited at once: only a place on a start cell is. */
 double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint16_t choice);
 
-/* Let time pass until somebody is to choose or the game is over: Q(s,a) = reward + discount * max Q(s',a') (Eq. 4.7). */
+/* Let time pass until somebody is to choose or the game is over: Q(s,a) = reward + discount * max Q(s',a') (Eq.
+ * 4.7). */
 void qtr_game_pass(const qtr_game *game, qtr_state *state, qtr_outcome *outcome);
 
 /* Score a game given each place's step of first visit. */

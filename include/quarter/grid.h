@@ -45,8 +45,8 @@ typedef struct {
 
 #define QTR_FRAME_ONE ((int32_t)1 << 30)
 
-/* Whether a frame is one: no metres and all 0, or its origin within QTR_FRAME_LIMIT_UM and its turn the cosine and sine of
- * some angle. */
+/* Whether a frame is one: no metres and all 0, or its origin within QTR_FRAME_LIMIT_UM and its turn the cosine and sine
+ * of some angle. */
 bool qtr_frame_is_one(const qtr_frame *frame);
 
 /* In the order in which ties are broken. */
@@ -68,15 +68,16 @@ static inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
   return ((unsigned)grid->cells[cell / 8u] >> (cell % 8u)) & 1u;
 }
 
-/* The cell next to `cell` in a direction, blocked or not; QTR_NO_CELL beyond the map's edge, and next to a cell outside. */
+/* The cell next to `cell` in a direction, blocked or not; QTR_NO_CELL beyond the map's edge, and next to a cell
+ * outside. */
 qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direction direction);
 
-/* The middle of a cell in the map frame. False, with nothing written, for a cell outside the grid, a frame without metres,
- * or one that is none. */
+/* The middle of a cell in the map frame. False, with nothing written, for a cell outside the grid, a frame without
+ * metres, or one that is none. */
 bool qtr_frame_centre(const qtr_frame *frame, const qtr_grid *grid, qtr_cell cell, int64_t *x_um, int64_t *y_um);
 
-/* The cell at a point of the map frame, free or blocked. QTR_NO_CELL off the grid, however far off a localisation that has
- * gone astray puts it; in a frame without metres, or one that is none. */
+/* The cell at a point of the map frame, free or blocked. QTR_NO_CELL off the grid, however far off a localisation that
+ * has gone astray puts it; in a frame without metres, or one that is none. */
 qtr_cell qtr_frame_cell(const qtr_frame *frame, const qtr_grid *grid, int64_t x_um, int64_t y_um);
 
 /* Bytes that a grid of this many cells takes in an encoding. */

@@ -1,10 +1,10 @@
 /* The joint game of k seekers (paper, section 4.2.2): its state, the choices allowed, a choice made, time advanced.
  *
- * Learner and robot both play by this one module, so that they cannot disagree about a state's successor. A seeker is idle
- * at a node, bound for a place, or stood down for the rest of the game.
+ * Learner and robot both play by this one module, so that they cannot disagree about a state's successor. A seeker is
+ * idle at a node, bound for a place, or stood down for the rest of the game.
  *
- * Idle seekers choose one after another with no time passing, the one at the lowest node first (on a tie the one
- * of the lower kind, then the lower seeker). The order does not depend on which seeker of a kind is where, so states that
+ * Idle seekers choose one after another with no time passing, the one at the lowest node first (on a tie the one of the
+ * lower kind, then the lower seeker). The order does not depend on which seeker of a kind is where, so states that
  * differ only by who is who are one state.
  */
 #ifndef QUARTER_JOINT_H
@@ -39,8 +39,8 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *s
 int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board);
 
 /* What `seeker`, whose turn it is, may choose: the places, one or more, and (returned) whether it may stand down. The
- * last seeker that can reach a place left over may not: every place is visited in the end. A seeker that is none, or is not
- * idle, may choose nothing: no place, and false. */
+ * last seeker that can reach a place left over may not: every place is visited in the end. A seeker that is none, or is
+ * not idle, may choose nothing: no place, and false. */
 bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeker, qtr_places *choices);
 
 /* Make an allowed choice. A place at no distance is visited at once. True if it was. Nothing happens, and false, for a

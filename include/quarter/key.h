@@ -1,8 +1,8 @@
 /* The key of a state of the joint game: the places visited and the sorted (node, remaining) pairs of the seekers as one
  * exact integer. Equal keys are equal states.
  *
- * The integer is in mixed radix, grown digit by digit (docs/policy-format.md), so that a key takes no more words than the
- * states of its game need.
+ * The integer is in mixed radix, grown digit by digit (docs/policy-format.md), so that a key takes no more words than
+ * the states of its game need.
  */
 #ifndef QUARTER_KEY_H
 #define QUARTER_KEY_H

@@ -1,17 +1,18 @@
-/* The learner: the Q-learning unit and its action strategies (paper, Fig. 3.1, 5.1), in two settings. They share
- * the game, the keys and the Q-table, and differ in the value that Q starts from, the action strategy, the backup with its
+/* The learner: the Q-learning unit and its action strategies (paper, Fig. 3.1, 5.1), in two settings. They share the
+ * game, the keys and the Q-table, and differ in the value that Q starts from, the action strategy, the backup with its
  * order, and in when they end; the certified one also searches for its first game.
  *
  * Certified setting: Q starts at an upper bound, the seekers act greedily on it, and each episode is backed up from its
  * end to its start, Q(s,a) <- min(Q(s,a), backup). Q then never falls below the optimal Q*, so the largest Q of the
- * first state bounds every policy from above, and the best game played so far is a policy that earns what it earns. When
- * the two meet, that policy is optimal; stopped earlier, the gap between them is known.
+ * first state bounds every policy from above, and the best game played so far is a policy that earns what it earns.
+ * When the two meet, that policy is optimal; stopped earlier, the gap between them is known.
  *
- * Paper setting: Q starts at 0, the seekers explore, and each step is backed up as it comes, Q(s,a) <- (1 - alpha) Q(s,a)
- * + alpha backup (Eq. 4.7). After each episode the greedy policy is played; the best one played is the result, and the
- * prices alone bound it.
+ * Paper setting: Q starts at 0, the seekers explore, and each step is backed up as it comes, Q(s,a) <- (1 - alpha)
+ * Q(s,a) + alpha backup (Eq. 4.7). After each episode the greedy policy is played; the best one played is the result,
+ * and the prices alone bound it.
  *
- * All memory is the caller's, in blocks. With those of any mission of the build, in static storage, as firmware has them:
+ * All memory is the caller's, in blocks. With those of any mission of the build, in static storage, as firmware has
+ * them:
  *
  *   static qtr_learner_memory memory;
  *   qtr_environment *ground;
@@ -58,7 +59,8 @@ typedef struct {
                          game is often better than any that the aggregate allows. False: the aggregate's own best */
 } qtr_learner_config;
 
-/* Gap 1e-5, seed 1, prices at their best, certified, with search on the ground; alpha 1 and epsilon-greedy for the paper setting. */
+/* Gap 1e-5, seed 1, prices at their best, certified, with search on the ground; alpha 1 and epsilon-greedy for the
+ * paper setting. */
 void qtr_learner_config_default(qtr_learner_config *config);
 
 /* QTR_OK, or QTR_ERR_ARGUMENT for settings out of their ranges, or not from their default. */
@@ -79,8 +81,8 @@ typedef struct {
   double bound;         /* no policy does better than this in the mission's objective */
   double gap;           /* |objective - bound| / |objective| */
   bool certified;       /* gap is within the config's */
-  /* Places that make up less than QTR_NEGLIGIBLE of the best game's objective each. The certificate says nothing of their
-   * order, which goes by expected time where worths are equal. */
+  /* Places that make up less than QTR_NEGLIGIBLE of the best game's objective each. The certificate says nothing of
+   * their order, which goes by expected time where worths are equal. */
   uint16_t negligible_places;
   uint64_t episodes;    /* games played, those given up early included */
   uint64_t updates;     /* of Q entries that changed them */
@@ -111,8 +113,8 @@ size_t qtr_learner_bytes(const qtr_game *game);
    (size_t)QTR_MAX_PLACES * (sizeof(qtr_key) + 64 + 4 * (QTR_MAX_NODES + QTR_MAX_PLACES) + 24 * QTR_BOUND_SLOTS) +     \
    1024)
 
-/* All blocks for any mission of the build; large, keep it in static storage. Who never learns on an aggregate, or on none with
- * regions, declares smaller ones by the same sizes. */
+/* All blocks for any mission of the build; large, keep it in static storage. Who never learns on an aggregate, or on
+ * none with regions, declares smaller ones by the same sizes. */
 typedef struct {
   uint64_t ground[(QTR_ENVIRONMENT_BYTES + 7) / 8];
   uint64_t aggregate[(QTR_ENVIRONMENT_REGIONS_BYTES + 7) / 8];
@@ -127,17 +129,18 @@ typedef struct {
 
 /* Begin, on the ground (an environment without aggregation) or on an aggregate of the same game (NULL: none). Then the
  * game must have the free rule: what was learnt on the aggregate is played on the ground as routes. Both environments
- * must outlive the learner. QTR_OK, and then alone `*learner` is set; QTR_ERR_SPACE for a block that is smaller than it says
- * above; QTR_ERR_ARGUMENT for one that is not aligned, a config that fails its check, or the certified setting on regions,
- * whose times are no bound; QTR_ERR_CONFIG if the caller was built under other array sizes. There is a first game in any case:
- * a stop by the mission's watch leaves it as it is, with a bound that is not tight. */
+ * must outlive the learner. QTR_OK, and then alone `*learner` is set; QTR_ERR_SPACE for a block that is smaller than it
+ * says above; QTR_ERR_ARGUMENT for one that is not aligned, a config that fails its check, or the certified setting on
+ * regions, whose times are no bound; QTR_ERR_CONFIG if the caller was built under other array sizes. There is a first
+ * game in any case: a stop by the mission's watch leaves it as it is, with a bound that is not tight. */
 #define qtr_learner_init(learner, blocks, ground, aggregate, config)                                                   \
   qtr_learner_init_built(learner, blocks, ground, aggregate, config, QTR_CONFIG_ID)
 int qtr_learner_init_built(qtr_learner **learner, const qtr_learner_blocks *blocks, const qtr_environment *ground,
                            const qtr_environment *aggregate, const qtr_learner_config *config, uint32_t config_id);
 
-/* Learn a little more: some steps of the bound's prices, or one episode. May be stopped after any step, or within
- * one by the mission's watch: what is known stays so, and learning can go on. Calling it again after the end does nothing. */
+/* Learn a little more: some steps of the bound's prices, or one episode. May be stopped after any step, or within one
+ * by the mission's watch: what is known stays so, and learning can go on. Calling it again after the end does
+ * nothing. */
 enum qtr_learning qtr_learner_step(qtr_learner *learner);
 
 /* What is known now. Bound and value never grow worse from step to step. */
@@ -152,12 +155,12 @@ const qtr_play *qtr_learner_best(const qtr_learner *learner);
 uint32_t qtr_learner_entries(const qtr_learner *learner);
 uint32_t qtr_learner_entry_bytes(const qtr_learner *learner);
 
-/* For a table that grows as it is learnt: words that it needs to stand in so that the next step finds room for all that it
- * learns, as it would in QTR_QTABLE_WORDS. Never more than those. */
+/* For a table that grows as it is learnt: words that it needs to stand in so that the next step finds room for all that
+ * it learns, as it would in QTR_QTABLE_WORDS. Never more than those. */
 size_t qtr_learner_table_needs(const qtr_learner *learner);
 
-/* The table stands in another block now, no smaller, whose start holds what the old one held (as realloc() leaves it). Between
- * steps alone. QTR_OK, or QTR_ERR_SPACE with nothing changed if it is smaller. */
+/* The table stands in another block now, no smaller, whose start holds what the old one held (as realloc() leaves it).
+ * Between steps alone. QTR_OK, or QTR_ERR_SPACE with nothing changed if it is smaller. */
 int qtr_learner_move_table(qtr_learner *learner, uint32_t *table, size_t words);
 
 QTR_C_END

@@ -1,4 +1,5 @@
-/* A mission: the problem that the learner solves. Plain data, filled by the caller; large, keep it in static storage. */
+/* A mission: the problem that the learner solves. Plain data, filled by the caller; large, keep it in static
+ * storage. */
 #ifndef QUARTER_MISSION_H
 #define QUARTER_MISSION_H
 
@@ -28,13 +29,14 @@ typedef struct {
   uint8_t cost[QTR_MAX_CELLS];     /* 0 = blocked, 1..255 = steps that entering the cell takes; row 0 on top */
 } qtr_mission;
 
-/* An empty mission with the defaults: discounted, free rule, gamma 0.99. QTR_OK, or QTR_ERR_CONFIG with nothing written if
- * the caller was built under other sizes. */
+/* An empty mission with the defaults: discounted, free rule, gamma 0.99. QTR_OK, or QTR_ERR_CONFIG with nothing written
+ * if the caller was built under other sizes. */
 #define qtr_mission_default(mission) qtr_mission_default_built(mission, QTR_CONFIG_ID)
 int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id);
 
-/* QTR_OK, QTR_ERR_ARGUMENT for a mission that is not from its default, or what else is wrong (QTR_ERR_LIMIT, _ARGUMENT, _NO_START, _NO_PLACE, _START, _PLACE, _WEIGHT) and in
- * `*culprit` (may be NULL) the index of the start or place at fault. Reachability is checked with the travel times. */
+/* QTR_OK, QTR_ERR_ARGUMENT for a mission that is not from its default, or what else is wrong (QTR_ERR_LIMIT, _ARGUMENT,
+ * _NO_START, _NO_PLACE, _START, _PLACE, _WEIGHT) and in `*culprit` (may be NULL) the index of the start or place at
+ * fault. Reachability is checked with the travel times. */
 int qtr_mission_check(const qtr_mission *mission, int *culprit);
 
 /* Cells of its map, blocked ones included. */

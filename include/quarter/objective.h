@@ -5,8 +5,8 @@
  *   discounted      w P gamma^max(t-1, 0), w = 10        (paper, Eq. 4.2)
  *   expected time   -P t, and every place must be visited
  *
- * Both worths fall with t, which is what the bounds rest on (lib/search/bound.h); and both can be taken apart at any moment
- * into what came before it and what comes after, counted from there, which is what backups rest on (Eq. 4.7).
+ * Both worths fall with t, which is what the bounds rest on (lib/search/bound.h); and both can be taken apart at any
+ * moment into what came before it and what comes after, counted from there, which is what backups rest on (Eq. 4.7).
  */
 #ifndef QUARTER_OBJECTIVE_H
 #define QUARTER_OBJECTIVE_H
@@ -39,8 +39,8 @@ int qtr_aim_check(const qtr_aim *aim);
 #define QTR_REWARD_SCALE 10.0 /* w of Eq. 4.2 */
 #define QTR_NEGLIGIBLE 1e-9   /* share of an objective: nobody calls an order optimal on which less than this depends */
 
-/* Under discounting a game is refused whose nearest place has less than this left of it when it is reached: the floats of
- * the Q-table end at 1e-38, and what they cannot tell from nothing must not be called equal. */
+/* Under discounting a game is refused whose nearest place has less than this left of it when it is reached: the floats
+ * of the Q-table end at 1e-38, and what they cannot tell from nothing must not be called equal. */
 #define QTR_OBJECTIVE_LEAST_POWER 1e-28
 
 /* An objective ready for use; fill it by qtr_objective_init(). */
@@ -86,8 +86,8 @@ static inline double qtr_objective_worth(const qtr_objective *objective, double 
   return qtr_objective_discounted(objective, probability, when);
 }
 
-/* Whether a game is worth nothing that leaves a place out. Then a place can have a price below 0, for nobody may refuse to
- * take it at that price. */
+/* Whether a game is worth nothing that leaves a place out. Then a place can have a price below 0, for nobody may refuse
+ * to take it at that price. */
 bool qtr_objective_needs_all(const qtr_objective *objective);
 
 /* Whether what lies `steps` ahead can still be told from nothing. */
@@ -96,7 +96,8 @@ bool qtr_objective_tells(const qtr_objective *objective, qtr_steps steps);
 /* The aim for a game of which nothing can be told by its own: the same places found soonest. */
 void qtr_aim_undiscount(qtr_aim *aim);
 
-/* Whether the visit makes up so little of a game worth `worth` that its order is not called optimal (QTR_NEGLIGIBLE). */
+/* Whether the visit makes up so little of a game worth `worth` that its order is not called optimal
+ * (QTR_NEGLIGIBLE). */
 bool qtr_objective_neglects(const qtr_objective *objective, double probability, qtr_steps when, double worth);
 
 /* Add up what a game earns, given each place's step of first visit. */
@@ -105,8 +106,8 @@ void qtr_objective_score(const qtr_objective *objective, qtr_score *score, const
 
 /* ---- worth from some moment on ---- */
 
-/* What the digit of a key is that stands for the time, and the greatest that it can be: 0 where what is still to come is the
- * same whenever it comes, so that states differ by their places and seekers alone. */
+/* What the digit of a key is that stands for the time, and the greatest that it can be: 0 where what is still to come
+ * is the same whenever it comes, so that states differ by their places and seekers alone. */
 qtr_steps qtr_objective_clock(const qtr_objective *objective, qtr_steps now);
 qtr_steps qtr_objective_last_clock(const qtr_objective *objective);
 
@@ -118,11 +119,12 @@ double qtr_objective_at_once(const qtr_objective *objective, double probability,
 double qtr_objective_visit(const qtr_objective *objective, double probability);
 double qtr_objective_delayed(const qtr_objective *objective, double worth, qtr_steps steps, double waiting);
 
-/* What is worth `worth`, counted from the start, seen from step `now`, when places of the likelihood `unvisited` are left:
- * the most that can still come. */
+/* What is worth `worth`, counted from the start, seen from step `now`, when places of the likelihood `unvisited` are
+ * left: the most that can still come. */
 double qtr_objective_from_now(const qtr_objective *objective, double worth, qtr_steps now, double unvisited);
 
-/* ---- time as a backup sees it: a beginning, then stretch by stretch first wait, then the visits in it, at last its end ---- */
+/* ---- time as a backup sees it: a beginning, then stretch by stretch first wait, then the visits in it, at last its
+ * end ---- */
 
 /* A choice has been made at step `now`, and nothing has passed yet. */
 void qtr_objective_begin(qtr_outcome *outcome, qtr_steps now);
@@ -165,8 +167,8 @@ bool qtr_objective_is_better(uint8_t kind, double figure, double than);
 /* How far a bound lies from a figure, relative to it; 0 where the figure is past the bound. */
 double qtr_objective_gap(uint8_t kind, double figure, double bound);
 
-/* Whether a game is worth more than another, or as much and takes less expected time: what is discounted away counts for
- * nothing in a sum, but it still has to be searched. */
+/* Whether a game is worth more than another, or as much and takes less expected time: what is discounted away counts
+ * for nothing in a sum, but it still has to be searched. */
 bool qtr_score_is_better(const qtr_score *score, const qtr_score *than);
 
 QTR_C_END

@@ -1,5 +1,5 @@
-/* Sets of places as fixed arrays of 32-bit words: 16 places cost one word. A place of QTR_MAX_PLACES or more is in no set,
- * and cannot be put into one. */
+/* Sets of places as fixed arrays of 32-bit words: 16 places cost one word. A place of QTR_MAX_PLACES or more is in no
+ * set, and cannot be put into one. */
 #ifndef QUARTER_PLACES_H
 #define QUARTER_PLACES_H
 

@@ -9,9 +9,9 @@
 
 QTR_C_BEGIN
 
-/* A game has no more choices than this: each place is chosen once, and each seeker stands down once. Under the paper's rule
- * seekers follow others when no place is left for them alone: then no more places than seekers are left, and each seeker
- * goes to each of them at most once. */
+/* A game has no more choices than this: each place is chosen once, and each seeker stands down once. Under the paper's
+ * rule seekers follow others when no place is left for them alone: then no more places than seekers are left, and each
+ * seeker goes to each of them at most once. */
 #define QTR_MAX_CHOICES (QTR_MAX_PLACES + QTR_MAX_SEEKERS * (QTR_MAX_SEEKERS + 1))
 
 typedef struct {
@@ -22,8 +22,8 @@ typedef struct {
   qtr_score score;
 } qtr_play;
 
-/* What a route brings. Of two that are worth the same as far as a sum can tell, because what they differ in is discounted
- * away, the one with less expected time is better. */
+/* What a route brings. Of two that are worth the same as far as a sum can tell, because what they differ in is
+ * discounted away, the one with less expected time is better. */
 typedef struct {
   double worth; /* under the mission's objective; -HUGE_VAL if a place on it cannot be reached */
   double time;  /* its share of the expected time, steps */

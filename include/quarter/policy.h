@@ -51,17 +51,17 @@ typedef struct {
   uint32_t at[QTR_POLICY_SECTIONS]; /* where each section begins */
 } qtr_policy;
 
-/* Open the table of `size` bytes at `bytes` (no alignment needed); bytes behind the robot's part are not looked at. QTR_OK;
- * QTR_ERR_TRUNCATED, _MAGIC, _FORMAT, _CHECKSUM, _CORRUPT or _SELFTEST if it is not whole, holds what would be read out of
- * bounds, or is played otherwise by this build than by the one that wrote it; QTR_ERR_LIMIT if this build's arrays are too
- * small for it; QTR_ERR_CONFIG if the caller was built under other sizes. */
+/* Open the table of `size` bytes at `bytes` (no alignment needed); bytes behind the robot's part are not looked at.
+ * QTR_OK; QTR_ERR_TRUNCATED, _MAGIC, _FORMAT, _CHECKSUM, _CORRUPT or _SELFTEST if it is not whole, holds what would be
+ * read out of bounds, or is played otherwise by this build than by the one that wrote it; QTR_ERR_LIMIT if this build's
+ * arrays are too small for it; QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_policy_open(policy, bytes, size) qtr_policy_open_built(policy, bytes, size, QTR_CONFIG_ID)
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id);
 
 /* Whether what an open table says can be true of any map and any play, number by number and of one another: QTR_OK;
- * QTR_ERR_CORRUPT, _TRAVEL or _CERTIFICATE. Every host program that writes or reads a table asks it (docs/policy-format.md). A
- * robot need not: whatever its table says, it announces nothing but what it has scanned, takes a place for blocked that it has no
- * way to, and comes to an end. */
+ * QTR_ERR_CORRUPT, _TRAVEL or _CERTIFICATE. Every host program that writes or reads a table asks it
+ * (docs/policy-format.md). A robot need not: whatever its table says, it announces nothing but what it has scanned,
+ * takes a place for blocked that it has no way to, and comes to an end. */
 int qtr_policy_check(const qtr_policy *policy);
 
 /* Where the table's grid lies in the world. */

@@ -1,5 +1,5 @@
-/* Random numbers that are the same everywhere for the same seed: a run repeats bit for bit. Two generators, whose streams never
- * change; a robot has no use for either. */
+/* Random numbers that are the same everywhere for the same seed: a run repeats bit for bit. Two generators, whose
+ * streams never change; a robot has no use for either. */
 #ifndef QUARTER_RANDOM_H
 #define QUARTER_RANDOM_H
 

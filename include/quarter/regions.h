@@ -2,8 +2,8 @@
  * position to the learner.
  *
  * A region is connected, has at most max_size cells, and no two of its cells are further apart than `diameter`, as
- * lib/aggregate/nearby.h measures it: by the shortest way on the map, which may leave the region, and in the direction that
- * takes longer. Every free cell is in exactly one region.
+ * lib/aggregate/nearby.h measures it: by the shortest way on the map, which may leave the region, and in the direction
+ * that takes longer. Every free cell is in exactly one region.
  *
  * A region's representative is its geometric median: the member with the least sum of distances to the members, the
  * lowest such cell. A travel time taken from the representative is wrong by no more than the cell's distance from it.
@@ -59,20 +59,20 @@ size_t qtr_regions_scratch_bytes(uint32_t cells);
 #define QTR_REGIONS_SCRATCH_BYTES                                                                                      \
   ((size_t)QTR_MAX_CELLS * (sizeof(qtr_steps) + 3 * sizeof(qtr_cell) + 6) + QTR_MAX_REGION_SIZE * 64 + 2048)
 
-/* Divide the free cells of a grid, in `bytes` of scratch, aligned as for a uint64_t. Regions are grown greedily; then borders are straightened, and the cells of leftovers
- * given to their neighbours. Work and time are linear in the cells. The same input gives the same regions.
- * What qtr_regions_check() says of the config; QTR_ERR_ARGUMENT: a side of the grid is 0, or the scratch
- * is not aligned; QTR_ERR_SPACE: it is smaller than qtr_regions_scratch_bytes(); QTR_ERR_LIMIT: the grid is beyond
- * what the build holds, or more than QTR_MAX_REGIONS regions were grown; QTR_ERR_PLACE,
- * QTR_ERR_WEIGHT: a place lies outside the grid, a likelihood is not above 0; QTR_ERR_CONFIG: the caller was built under
- * other sizes; QTR_ERR_STOPPED by the watch. The regions are then of no use. */
+/* Divide the free cells of a grid, in `bytes` of scratch, aligned as for a uint64_t. Regions are grown greedily; then
+ * borders are straightened, and the cells of leftovers given to their neighbours. Work and time are linear in the
+ * cells. The same input gives the same regions. What qtr_regions_check() says of the config; QTR_ERR_ARGUMENT: a side
+ * of the grid is 0, or the scratch is not aligned; QTR_ERR_SPACE: it is smaller than qtr_regions_scratch_bytes();
+ * QTR_ERR_LIMIT: the grid is beyond what the build holds, or more than QTR_MAX_REGIONS regions were grown;
+ * QTR_ERR_PLACE, QTR_ERR_WEIGHT: a place lies outside the grid, a likelihood is not above 0; QTR_ERR_CONFIG: the caller
+ * was built under other sizes; QTR_ERR_STOPPED by the watch. The regions are then of no use. */
 #define qtr_regions_build(regions, grid, config, scratch, bytes)                                                       \
   qtr_regions_build_built(regions, grid, config, scratch, bytes, QTR_CONFIG_ID)
 int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config, void *scratch,
                             size_t bytes, uint32_t config_id);
 
-/* Steps to each free cell from its region's representative, as the division left them in its scratch: by so much at most a
- * travel time taken from there is wrong. */
+/* Steps to each free cell from its region's representative, as the division left them in its scratch: by so much at
+ * most a travel time taken from there is wrong. */
 const uint16_t *qtr_regions_errors(const void *scratch);
 
 /* The region of a cell; QTR_NO_REGION if it is blocked or outside the grid. */
@@ -87,7 +87,8 @@ enum qtr_region_times {
       1 /* the seeker's own cell: the section's first solution, whose Q may go to and fro. To show just that */
 };
 
-/* The cell that stands for a free cell: where its travel times are taken from (section 5.2.3). QTR_NO_CELL for others. */
+/* The cell that stands for a free cell: where its travel times are taken from (section 5.2.3). QTR_NO_CELL for
+ * others. */
 static inline qtr_cell qtr_regions_standing(const qtr_regions *regions, qtr_cell cell) {
   const qtr_region region = qtr_regions_of(regions, cell);
   return region < regions->count ? regions->representative[region] : QTR_NO_CELL;

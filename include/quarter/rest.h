@@ -10,13 +10,13 @@
 
 QTR_C_BEGIN
 
-/* Make `rest`, a copy of the whole mission or an earlier rest of it, the mission without the places in `cleared` (NULL for
- * none; never all), its seekers at `start`. `number` tells what numbers its places have in the whole one. */
+/* Make `rest`, a copy of the whole mission or an earlier rest of it, the mission without the places in `cleared` (NULL
+ * for none; never all), its seekers at `start`. `number` tells what numbers its places have in the whole one. */
 void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole, const qtr_cell *start,
                    const qtr_places *cleared);
 
-/* Set its game up. From cells, or with places left, that are so far apart that discounting tells nothing any more, it is
- * played for expected time instead, and the rest says so. As qtr_game_init() otherwise. */
+/* Set its game up. From cells, or with places left, that are so far apart that discounting tells nothing any more, it
+ * is played for expected time instead, and the rest says so. As qtr_game_init() otherwise. */
 int qtr_rest_game(qtr_game *game, qtr_mission *rest, qtr_travel *travel);
 
 QTR_C_END

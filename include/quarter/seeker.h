@@ -1,17 +1,17 @@
 /* The executor: what one robot does, from the table and its own sensors alone.
  *
- * Every robot plays the whole joint game forward in nominal time from what all know: the table and the deployment (starts,
- * places cleared beforehand). Its own choices in that game are its territory, so nothing that it does depends on another's
- * real progress. When its territory is finished and no termination was heard, it goes on with its neighbours' (seeker
- * i + 1, then i + 2, ... mod k), every second one from its last place backwards, so that two who take over for one that is
- * lost come from both ends. Any survivor thus scans every place that it can reach.
+ * Every robot plays the whole joint game forward in nominal time from what all know: the table and the deployment
+ * (starts, places cleared beforehand). Its own choices in that game are its territory, so nothing that it does depends
+ * on another's real progress. When its territory is finished and no termination was heard, it goes on with its
+ * neighbours' (seeker i + 1, then i + 2, ... mod k), every second one from its last place backwards, so that two who
+ * take over for one that is lost come from both ends. Any survivor thus scans every place that it can reach.
  *
- * A robot announces a territory when it has scanned every place of it itself, and only then: whatever is late, lost, shut,
- * restarted or flashed wrongly, nothing is announced that nobody has scanned.
+ * A robot announces a territory when it has scanned every place of it itself, and only then: whatever is late, lost,
+ * shut, restarted or flashed wrongly, nothing is announced that nobody has scanned.
  *
  *   qtr_seeker_init(&seeker, &policy, self, NULL, run), or qtr_seeker_restore() after a reset;
- *   qtr_seeker_announce() until false, say each; go to qtr_seeker_target(); there: qtr_seeker_visited(), or _found(); where
- *   there is no way: qtr_seeker_blocked(); whatever is heard: qtr_seeker_hear().
+ *   qtr_seeker_announce() until false, say each; go to qtr_seeker_target(); there: qtr_seeker_visited(), or _found();
+ *   where there is no way: qtr_seeker_blocked(); whatever is heard: qtr_seeker_hear().
  *
  * No function of this module may interrupt another one that works on the same seeker: keep a signal that an interrupt
  * receives, and hear it between two calls.
@@ -70,34 +70,37 @@ typedef struct {
   qtr_division division;
 } qtr_seeker;
 
-/* Robot `self` (0..seekers-1) at its start. `deployment` (copied) and `run` are the same on every robot; NULL: the mission's
- * own starts, nothing cleared. `run` tells searches by one table apart, so that a late signal of the last one does not count:
- * 0 where nobody numbers them. The open policy must outlive the seeker. QTR_OK; with nothing written QTR_ERR_ARGUMENT for a
- * robot that is none, QTR_ERR_CONFIG if the caller was built under other sizes. */
+/* Robot `self` (0..seekers-1) at its start. `deployment` (copied) and `run` are the same on every robot; NULL: the
+ * mission's own starts, nothing cleared. `run` tells searches by one table apart, so that a late signal of the last one
+ * does not count: 0 where nobody numbers them. The open policy must outlive the seeker. QTR_OK; with nothing written
+ * QTR_ERR_ARGUMENT for a robot that is none, QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_seeker_init(seeker, policy, self, deployment, run)                                                         \
   qtr_seeker_init_built(seeker, policy, self, deployment, run, QTR_CONFIG_ID)
 int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const qtr_deployment *deployment,
                           uint32_t run, uint32_t config_id);
 
-/* Work out one choice more of the division; false when all of it is known. The first question below works out what is left:
- * who cannot wait that long calls this in its idle time. A call takes what one choice takes, however long the game is. */
+/* Work out one choice more of the division; false when all of it is known. The first question below works out what is
+ * left: who cannot wait that long calls this in its idle time. A call takes what one choice takes, however long the
+ * game is. */
 bool qtr_seeker_plan(qtr_seeker *seeker);
 
 /* The place to go to now; QTR_STAND_DOWN: stay, there is nothing to do (qtr_seeker_standing() says why). */
 uint16_t qtr_seeker_target(qtr_seeker *seeker);
 
-/* Fill `field` with the way to the target, for qtr_field_next() from the cell where the robot is. A place that its cell has no
- * way to, by a table that does not fit its map, is blocked, and the next one is taken. False if there is no target, or, with
- * no place blocked and nothing written, for a cell that is no free one or a caller built under other sizes. */
+/* Fill `field` with the way to the target, for qtr_field_next() from the cell where the robot is. A place that its cell
+ * has no way to, by a table that does not fit its map, is blocked, and the next one is taken. False if there is no
+ * target, or, with no place blocked and nothing written, for a cell that is no free one or a caller built under other
+ * sizes. */
 #define qtr_seeker_field(seeker, field, here) qtr_seeker_field_built(seeker, field, here, QTR_CONFIG_ID)
 bool qtr_seeker_field_built(qtr_seeker *seeker, qtr_field *field, qtr_cell here, uint32_t config_id);
 
-/* The robot stands on `place` and has scanned it without a find; any place, the target or one in passing. A place out of range
- * is ignored. */
+/* The robot stands on `place` and has scanned it without a find; any place, the target or one in passing. A place out
+ * of range is ignored. */
 void qtr_seeker_visited(qtr_seeker *seeker, unsigned place);
 
-/* There is no way to `place`: a door is shut, a path is blocked. It is left out, and tried once more when all else is done; if
- * it is blocked then too, it stays out, and its territory is not announced. One visited, or out of range, is ignored. */
+/* There is no way to `place`: a door is shut, a path is blocked. It is left out, and tried once more when all else is
+ * done; if it is blocked then too, it stays out, and its territory is not announced. One visited, or out of range, is
+ * ignored. */
 void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place);
 
 /* The target of the search is found here: the robot stops, and tells the others. */
@@ -106,16 +109,16 @@ void qtr_seeker_found(qtr_seeker *seeker);
 /* A signal was heard. False if it is of another search (it is counted), or is none: it must not be passed on. */
 bool qtr_seeker_hear(qtr_seeker *seeker, const qtr_signal *signal);
 
-/* Seeker `who` is known to be lost, by an operator or a time-out: its territory is taken over right after the own one, before
- * the others'. Only the order changes, so that it does not matter who is told, or whether it is true. */
+/* Seeker `who` is known to be lost, by an operator or a time-out: its territory is taken over right after the own one,
+ * before the others'. Only the order changes, so that it does not matter who is told, or whether it is true. */
 void qtr_seeker_lost(qtr_seeker *seeker, unsigned who);
 
-/* Take a signal that this robot must send: FOUND, or a territory that it has scanned whole. False if there is none: call until
- * then, after init and after each visit. */
+/* Take a signal that this robot must send: FOUND, or a territory that it has scanned whole. False if there is none:
+ * call until then, after init and after each visit. */
 bool qtr_seeker_announce(qtr_seeker *seeker, qtr_signal *signal);
 
-/* The signals that this robot knows of, own and heard, one by one: what to repeat where radios lose messages. False from the
- * first `index` on that there is none. */
+/* The signals that this robot knows of, own and heard, one by one: what to repeat where radios lose messages. False
+ * from the first `index` on that there is none. */
 bool qtr_seeker_known(const qtr_seeker *seeker, unsigned index, qtr_signal *signal);
 
 /* Whether it stands, and why. */
@@ -124,8 +127,8 @@ enum qtr_standing qtr_seeker_standing(qtr_seeker *seeker);
 /* Whose territory the target is in; the robot's own where there is no target. */
 unsigned qtr_seeker_territory(qtr_seeker *seeker);
 
-/* How many places this robot has not scanned, of territories that are not known to be done; they are put into `left` (may be
- * NULL). */
+/* How many places this robot has not scanned, of territories that are not known to be done; they are put into `left`
+ * (may be NULL). */
 unsigned qtr_seeker_left(qtr_seeker *seeker, qtr_places *left);
 
 /* Signals heard so far that were of another search: another table, other starts or cleared places, another run. */
@@ -141,9 +144,10 @@ uint32_t qtr_seeker_foreign(const qtr_seeker *seeker);
  * QTR_ERR_SPACE if `size` is too small. */
 int32_t qtr_seeker_save(const qtr_seeker *seeker, uint8_t *bytes, uint32_t size);
 
-/* Go on from a save: as qtr_seeker_init() with the starts, cleared places and run of then, and told again what was known. What
- * this robot has finished it announces once more. QTR_OK; QTR_ERR_SAVE, with nothing written, for bytes that are torn, or of
- * another robot, table or format: then begin anew. A save is of its run: erase it when a new search begins. */
+/* Go on from a save: as qtr_seeker_init() with the starts, cleared places and run of then, and told again what was
+ * known. What this robot has finished it announces once more. QTR_OK; QTR_ERR_SAVE, with nothing written, for bytes
+ * that are torn, or of another robot, table or format: then begin anew. A save is of its run: erase it when a new
+ * search begins. */
 #define qtr_seeker_restore(seeker, policy, self, bytes, size)                                                          \
   qtr_seeker_restore_built(seeker, policy, self, bytes, size, QTR_CONFIG_ID)
 int qtr_seeker_restore_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned self, const uint8_t *bytes,

@@ -1,9 +1,9 @@
 /* The only words between robots, and of which search they are.
  *
- * A signal counts for those alone who play the same division: the same table, starts and cleared places (`identity`), in the
- * same run of it. So a robot that was not flashed anew, one that was told other starts, and a packet of yesterday's search
- * are not believed. That keeps mistakes out, not enemies: a radio that
- * strangers reach carries a keyed tag beside these bytes, checked before qtr_seeker_hear() (docs/security.md).
+ * A signal counts for those alone who play the same division: the same table, starts and cleared places (`identity`),
+ * in the same run of it. So a robot that was not flashed anew, one that was told other starts, and a packet of
+ * yesterday's search are not believed. That keeps mistakes out, not enemies: a radio that strangers reach carries a
+ * keyed tag beside these bytes, checked before qtr_seeker_hear() (docs/security.md).
  */
 #ifndef QUARTER_SIGNAL_H
 #define QUARTER_SIGNAL_H

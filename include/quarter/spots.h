@@ -41,8 +41,8 @@ typedef struct {
 /* 5 places, 25 steps; distance alone. */
 void qtr_spots_default(qtr_spots_config *config);
 
-/* QTR_OK; QTR_ERR_ARGUMENT for a config that is not from its default, or a size, diameter or likelihood out of its range;
- * QTR_ERR_LIMIT for a size past the build's. */
+/* QTR_OK; QTR_ERR_ARGUMENT for a config that is not from its default, or a size, diameter or likelihood out of its
+ * range; QTR_ERR_LIMIT for a size past the build's. */
 int qtr_spots_check(const qtr_spots_config *config);
 
 /* Every place is in exactly one spot. Spots are numbered by their lowest place, and list their places in order. */
@@ -87,18 +87,19 @@ typedef struct {
 } qtr_spot_scratch;
 
 /* Visit the `count` places of `place` (1..QTR_MAX_SPOT_SIZE, all different) from `node`, the nearest first, the lowest
- * place among equally near ones. False if some place cannot be reached that way, or a place, or how many they are, is out
- * of range; the tour is undefined then. The node must be one of the ground's. */
+ * place among equally near ones. False if some place cannot be reached that way, or a place, or how many they are, is
+ * out of range; the tour is undefined then. The node must be one of the ground's. */
 bool qtr_spot_tour_nearest(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,
                            unsigned count);
 
-/* The best of all orders, exactly, by dynamic programming over the subsets (Bellman; Held and Karp 1962). The order that
- * is best does not depend on the step at which the seeker sets out.
+/* The best of all orders, exactly, by dynamic programming over the subsets (Bellman; Held and Karp 1962). The order
+ * that is best does not depend on the step at which the seeker sets out.
  *
- * What follows the spot matters too, in two ways that the caller settles. `exit` fixes the place where the tour ends, as
- * an index into `place`; QTR_SPOT_ANY_EXIT leaves it open. `rest`, 0 or more, is the likelihood that waits until the spot
- * is done: the tour maximises the worth of its visits plus rest * gamma^finish (expected time: minus rest * finish). With
- * 0 the spot is seen by itself. Among orders of equal worth, to within rounding, the one that finishes first is taken.
+ * What follows the spot matters too, in two ways that the caller settles. `exit` fixes the place where the tour ends,
+ * as an index into `place`; QTR_SPOT_ANY_EXIT leaves it open. `rest`, 0 or more, is the likelihood that waits until the
+ * spot is done: the tour maximises the worth of its visits plus rest * gamma^finish (expected time: minus rest *
+ * finish). With 0 the spot is seen by itself. Among orders of equal worth, to within rounding, the one that finishes
+ * first is taken.
  *
  * False if there is no such tour, or an argument is out of range as above; it is undefined then. */
 bool qtr_spot_tour_best(qtr_spot_tour *tour, const qtr_spot_ground *ground, unsigned node, const uint16_t *place,

@@ -1,5 +1,5 @@
-/* What a table for any start loses: its routes from random cells, played on the ground, against the best found for those
- * very cells.
+/* What a table for any start loses: its routes from random cells, played on the ground, against the best found for
+ * those very cells.
  *
  *   qtr_start_trials_begin(&trials, seed);
  *   while (qtr_start_trials_next(&trials, &policy, &mission, &rest)) {

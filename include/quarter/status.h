@@ -53,8 +53,8 @@ const char *qtr_strerror(int status);
 #endif
 #endif
 
-/* What always holds, or a programmer has made a mistake; bytes from outside never get here. Override to trap, log or compile
- * it out. */
+/* What always holds, or a programmer has made a mistake; bytes from outside never get here. Override to trap, log or
+ * compile it out. */
 #ifndef QTR_ASSERT
 #if QTR_ASSERTIONS && defined(__GNUC__)
 #define QTR_ASSERT(condition) ((condition) ? (void)0 : __builtin_trap())

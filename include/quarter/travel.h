@@ -1,5 +1,5 @@
-/* The elemental tasks (paper, section 4.1): shortest travel times on the grid and the next step towards a cell. A robot needs
- * the step alone, and has quarter/field.h.
+/* The elemental tasks (paper, section 4.1): shortest travel times on the grid and the next step towards a cell. A robot
+ * needs the step alone, and has quarter/field.h.
  *
  * Travel time counts what entering each cell on the way costs, the target included, the start not. With terrain it is
  * not symmetric.
@@ -20,10 +20,10 @@ typedef struct {
   qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: cells by the time at which they are settled */
 } qtr_travel;
 
-/* Fill `travel` with the travel times to `target`. Dijkstra's algorithm over a ring of time buckets (Dial 1969): time and
- * memory linear in the cells. QTR_OK; QTR_ERR_ARGUMENT for a target that is blocked or outside, which is then in reach of
- * no cell; QTR_ERR_LIMIT for a grid of more cells than the build holds, QTR_ERR_CONFIG if the caller was built under other
- * sizes, both with nothing filled. */
+/* Fill `travel` with the travel times to `target`. Dijkstra's algorithm over a ring of time buckets (Dial 1969): time
+ * and memory linear in the cells. QTR_OK; QTR_ERR_ARGUMENT for a target that is blocked or outside, which is then in
+ * reach of no cell; QTR_ERR_LIMIT for a grid of more cells than the build holds, QTR_ERR_CONFIG if the caller was built
+ * under other sizes, both with nothing filled. */
 #define qtr_travel_fill(travel, grid, target) qtr_travel_fill_built(travel, grid, target, QTR_CONFIG_ID)
 int qtr_travel_fill_built(qtr_travel *travel, const qtr_grid *grid, qtr_cell target, uint32_t config_id);
 

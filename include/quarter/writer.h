@@ -26,8 +26,8 @@ typedef struct {
 /* Bytes that a table takes. */
 uint32_t qtr_table_size(const qtr_table_content *content);
 
-/* Write a table to `bytes`, which holds `size`, and open it once to be sure that a robot will. Returns the bytes written,
- * or QTR_ERR_SPACE, or an error of qtr_policy_open() or qtr_policy_check(). */
+/* Write a table to `bytes`, which holds `size`, and open it once to be sure that a robot will. Returns the bytes
+ * written, or QTR_ERR_SPACE, or an error of qtr_policy_open() or qtr_policy_check(). */
 int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32_t size);
 
 QTR_C_END

@@ -8,7 +8,8 @@
 
 #define ROUNDS 2 /* of exchanging and dissolving; a third takes a tenth longer for one region less in 500 */
 
-/* Number the regions that are left by their lowest cells: the same division has the same numbers, however it came about. */
+/* Number the regions that are left by their lowest cells: the same division has the same numbers, however it came
+ * about. */
 static void number(const qtr_division *d) {
   qtr_regions *regions = d->regions;
   qtr_cell *fresh = d->scratch->waiting;         /* the new number, by the old */
@@ -82,8 +83,9 @@ static void begin(const qtr_division *d) {
   memset(d->scratch->error, 0, d->cells * sizeof *d->scratch->error);
 }
 
-/* Grown greedily regions leave crumbs and crooked borders, for what is grown first takes what suits it. Exchanging makes room
- * where dissolving needs it, and the other way round. True medians come last, when nothing moves any more. */
+/* Grown greedily regions leave crumbs and crooked borders, for what is grown first takes what suits it. Exchanging
+ * makes room where dissolving needs it, and the other way round. True medians come last, when nothing moves any
+ * more. */
 int qtr_regions_build_built(qtr_regions *regions, const qtr_grid *grid, const qtr_regions_config *config, void *block,
                             size_t bytes, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;

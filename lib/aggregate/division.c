@@ -5,7 +5,8 @@
 #include "model/rounding.h"
 #include "quarter/status.h"
 
-/* Breadth first, with the list for a queue. A region is connected if and only if all of it is listed from one of its cells. */
+/* Breadth first, with the list for a queue. A region is connected if and only if all of it is listed from one of its
+ * cells. */
 void qtr_division_list(const qtr_division *d, qtr_cell from, qtr_region region, uint32_t most) {
   qtr_nearby *nearby = d->nearby;
   qtr_cell next[4];
@@ -56,7 +57,8 @@ bool qtr_division_measure(const qtr_division *d, qtr_cell from) {
 
 /* ---- representatives ---- */
 
-/* The sum of a listed region's distances from a member: the geometric median is the member with the least (section 5.2.2). */
+/* The sum of a listed region's distances from a member: the geometric median is the member with the least (section
+ * 5.2.2). */
 static uint32_t sum_from(const qtr_division *d, qtr_cell member) {
   uint32_t sum = 0;
   qtr_division_measure(d, member);
@@ -64,8 +66,8 @@ static uint32_t sum_from(const qtr_division *d, qtr_cell member) {
   return sum;
 }
 
-/* The error of a cell is what taking the representative's travel times for its own may be wrong by: |d(r, p) - d(c, p)| is no
- * more than the longer of d(r, c) and d(c, r). */
+/* The error of a cell is what taking the representative's travel times for its own may be wrong by: |d(r, p) - d(c, p)|
+ * is no more than the longer of d(r, c) and d(c, r). */
 static void represent(const qtr_division *d, qtr_region region, qtr_cell member) {
   qtr_division_measure(d, member);
   for (uint32_t i = 0; i < d->nearby->listed; i++) {

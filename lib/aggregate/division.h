@@ -1,5 +1,5 @@
-/* A division of the ground into regions under way: the room that its steps share. `growing` makes a first division, `settling`
- * betters it. */
+/* A division of the ground into regions under way: the room that its steps share. `growing` makes a first division,
+ * `settling` betters it. */
 #ifndef QUARTER_AGGREGATE_DIVISION_H
 #define QUARTER_AGGREGATE_DIVISION_H
 
@@ -41,15 +41,16 @@ static inline int division_neighbours_in(const qtr_division *d, qtr_cell cell, q
   return in;
 }
 
-/* List the cells of a region that are joined to `from` within it, nearest first, at most `most`; or those of a whole region. */
+/* List the cells of a region that are joined to `from` within it, nearest first, at most `most`; or those of a whole
+ * region. */
 void qtr_division_list(const qtr_division *d, qtr_cell from, qtr_region region, uint32_t most);
 void qtr_division_list_whole(const qtr_division *d, qtr_region region);
 
 /* The distances of the listed cells from `from`; true if none may not be of its region. */
 bool qtr_division_measure(const qtr_division *d, qtr_cell from);
 
-/* Make a region's true median its representative; and bring the representatives of all regions that have changed near to
- * theirs. */
+/* Make a region's true median its representative; and bring the representatives of all regions that have changed near
+ * to theirs. */
 void qtr_division_find_median(const qtr_division *d, qtr_region region);
 void qtr_division_follow_medians(const qtr_division *d);
 

@@ -37,8 +37,9 @@ static qtr_steps longest_between(const qtr_environment *e, unsigned from, unsign
   return longest;
 }
 
-/* The joint game's rules hold among targets as among places. The board's times are for reach alone, and for how long keys must
- * be: a tour depends on where it begins, so choosing sets the time that remains (qtr_environment_choose()). */
+/* The joint game's rules hold among targets as among places. The board's times are for reach alone, and for how long
+ * keys must be: a tour depends on where it begins, so choosing sets the time that remains
+ * (qtr_environment_choose()). */
 static int make_board(qtr_environment *e, uint8_t rule) {
   const unsigned targets = e->targets.count;
   e->board = e->game->board;
@@ -58,8 +59,8 @@ static int make_board(qtr_environment *e, uint8_t rule) {
 
 /* ---- keys ---- */
 
-/* Node digits are the places, the starts, and one for standing down, whatever the targets are. With regions, `remaining`
- * is what is seen of the walk. */
+/* Node digits are the places, the starts, and one for standing down, whatever the targets are. With regions,
+ * `remaining` is what is seen of the walk. */
 static void shape_keys(qtr_environment *e) {
   e->keys = e->board.keys;
   e->keys.nodes = (uint16_t)nodes_of(e);
@@ -68,8 +69,8 @@ static void shape_keys(qtr_environment *e) {
   qtr_key_measure(&e->keys);
 }
 
-/* A seeker on its way is known by the first place of its tour, which tells target, order and exit. With regions one that is idle
- * is so by its region alone: its node says that it is idle. */
+/* A seeker on its way is known by the first place of its tour, which tells target, order and exit. With regions one
+ * that is idle is so by its region alone: its node says that it is idle. */
 void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_key *key) {
   qtr_joint seen = s->joint;
   for (unsigned i = 0; i < e->board.seekers; i++) {
@@ -170,8 +171,8 @@ qtr_steps qtr_environment_visit(const qtr_environment *e, const qtr_situation *s
   return s->joint.remaining[seeker] > after_it ? s->joint.remaining[seeker] - after_it : 0;
 }
 
-/* A place where the seeker already stands counts at once, before time passes: its reward is apart from the entry's (Q is stored
- * under the state after the choice). */
+/* A place where the seeker already stands counts at once, before time passes: its reward is apart from the entry's (Q
+ * is stored under the state after the choice). */
 double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
   if (seeker < 0 || seeker >= e->board.seekers) return 0.0;
   if (choice == QTR_STAND_DOWN) {
@@ -203,8 +204,8 @@ static void collect(const qtr_environment *e, qtr_situation *s, qtr_outcome *out
   qtr_objective_collect(&e->game->objective, outcome, probability, offset, passed);
 }
 
-/* Exact times: each place counts when it is visited. `before` is what remained to the seeker. Place i comes up when l - s_i
- * remains: in this stretch if before > l - s_i >= before - passed. */
+/* Exact times: each place counts when it is visited. `before` is what remained to the seeker. Place i comes up when l -
+ * s_i remains: in this stretch if before > l - s_i >= before - passed. */
 static void collect_tour(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome, unsigned seeker,
                          qtr_steps before, qtr_steps passed) {
   const qtr_tour *tour = qtr_targets_tour(&e->targets, s->at[seeker]);
@@ -260,7 +261,8 @@ static void collect_all(const qtr_environment *e, qtr_situation *s, qtr_outcome 
   }
 }
 
-/* One stretch: all that is unvisited waits for it, what is visited in it is given back, what comes after is discounted by it. */
+/* One stretch: all that is unvisited waits for it, what is visited in it is given back, what comes after is discounted
+ * by it. */
 static bool pass_once(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome) {
   const qtr_joint before = s->joint;
   qtr_places arrived;

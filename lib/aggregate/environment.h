@@ -44,11 +44,12 @@ void qtr_environment_key(const qtr_environment *environment, const qtr_situation
 /* Likelihood for a step of the way: a target's, from a node, by exact times; 0 if there is no way, node or target. */
 double qtr_environment_rate(const qtr_environment *environment, unsigned node, unsigned target);
 
-/* The place at which the seeker on its way, or idle, will next be free; a node. QTR_STAND_DOWN for a seeker that is none. */
+/* The place at which the seeker on its way, or idle, will next be free; a node. QTR_STAND_DOWN for a seeker that is
+ * none. */
 unsigned qtr_environment_exit(const qtr_environment *environment, const qtr_situation *situation, unsigned seeker);
 
-/* Step at which a seeker on its way visits place `i` of its tour, counted from now; 0: visited already, or there is no such
- * seeker or place. */
+/* Step at which a seeker on its way visits place `i` of its tour, counted from now; 0: visited already, or there is no
+ * such seeker or place. */
 qtr_steps qtr_environment_visit(const qtr_environment *environment, const qtr_situation *situation, unsigned seeker,
                                 unsigned i);
 

@@ -12,8 +12,8 @@ static void unlist(const qtr_division *d, uint32_t index) {
   s->touching[index] = s->touching[d->nearby->listed];
 }
 
-/* Make the cell a member. It and the cells that are too far from it leave the list of those that may still join: so any listed
- * cell is within the diameter of all members (complete linkage), and whichever joins, the limit is kept. */
+/* Make the cell a member. It and the cells that are too far from it leave the list of those that may still join: so any
+ * listed cell is within the diameter of all members (complete linkage), and whichever joins, the limit is kept. */
 static void join(const qtr_division *d, qtr_cell cell, qtr_region region) {
   qtr_nearby *nearby = d->nearby;
   qtr_cell next[4];
@@ -41,8 +41,8 @@ static uint64_t find_price(const qtr_division *d, uint32_t index, qtr_region reg
   return 2 * (uint64_t)d->scratch->sum[index] + (uint64_t)open * d->regions->size[region];
 }
 
-/* The best cell next to the growing region, the lowest of equals; QTR_NO_CELL if there is none. Only next to it: so the region
- * stays connected. */
+/* The best cell next to the growing region, the lowest of equals; QTR_NO_CELL if there is none. Only next to it: so the
+ * region stays connected. */
 static qtr_cell choose(const qtr_division *d, qtr_region region) {
   uint64_t least = UINT64_MAX;
   qtr_cell best = QTR_NO_CELL;
@@ -104,8 +104,8 @@ static qtr_cell find_corner(const qtr_division *d, qtr_cell from) {
   return best;
 }
 
-/* Cover all ground that is joined to `start`, from the regions there are outwards. Each region takes a cell at least, so it ends;
- * and each cell waits once, so it takes time in proportion to the cells. */
+/* Cover all ground that is joined to `start`, from the regions there are outwards. Each region takes a cell at least,
+ * so it ends; and each cell waits once, so it takes time in proportion to the cells. */
 static int cover(const qtr_division *d, qtr_cell start) {
   const qtr_cell *waiting = d->scratch->waiting;
   uint32_t lined_up = 0;

@@ -80,8 +80,8 @@ static bool reach(qtr_nearby *nearby, qtr_cell cell, qtr_steps time, qtr_cell fr
   return true;
 }
 
-/* Reach what lies next to the cells that come up `now`, from `cell` on; `reached` counts all so far. The number of listed
- * ones. */
+/* Reach what lies next to the cells that come up `now`, from `cell` on; `reached` counts all so far. The number of
+ * listed ones. */
 static uint32_t pass(qtr_nearby *nearby, qtr_cell cell, qtr_steps now, qtr_cell from, uint32_t *reached) {
   uint32_t found = 0;
   qtr_cell next[4];
@@ -95,8 +95,8 @@ static uint32_t pass(qtr_nearby *nearby, qtr_cell cell, qtr_steps now, qtr_cell 
   return found;
 }
 
-/* Undo what the search wrote, which costs no more than the search did: clearing all cells would make a division into regions
- * quadratic. */
+/* Undo what the search wrote, which costs no more than the search did: clearing all cells would make a division into
+ * regions quadratic. */
 static void forget(qtr_nearby *nearby, uint32_t reached) {
   for (uint32_t i = 0; i < reached; i++) {
     ring_take(nearby->ring, time_up(nearby, nearby->reached[i]));
@@ -105,8 +105,8 @@ static void forget(qtr_nearby *nearby, uint32_t reached) {
   nearby->work += reached;
 }
 
-/* Dijkstra's search with a ring for a queue (core/ring.h), backwards from `from`: time[c] is the way from c to there. It is over
- * when no entry of the ring has held a cell for a whole round. */
+/* Dijkstra's search with a ring for a queue (core/ring.h), backwards from `from`: time[c] is the way from c to there.
+ * It is over when no entry of the ring has held a cell for a whole round. */
 static void search(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
   uint32_t reached = 1;
   unsigned empty = 0;
@@ -121,8 +121,8 @@ static void search(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
   forget(nearby, reached);
 }
 
-/* The search goes by the way from a cell to `from`; where the way back is the longer one, that is held against the limit when
- * the search is over. */
+/* The search goes by the way from a cell to `from`; where the way back is the longer one, that is held against the
+ * limit when the search is over. */
 bool qtr_nearby_measure(qtr_nearby *nearby, qtr_cell from, qtr_steps limit) {
   for (uint32_t i = 0; i < nearby->listed; i++) nearby->away[i] = QTR_NEVER;
   if (is_free(nearby->grid, from)) search(nearby, from, limit);

@@ -1,7 +1,7 @@
 /* Distances between cells that lie near one another, by searches that go no further than they must.
  *
- * How far apart two cells are is the travel time between them on the map, by the shortest way there is. With terrain the
- * two directions differ, and the longer one counts.
+ * How far apart two cells are is the travel time between them on the map, by the shortest way there is. With terrain
+ * the two directions differ, and the longer one counts.
  */
 #ifndef QUARTER_AGGREGATE_NEARBY_H
 #define QUARTER_AGGREGATE_NEARBY_H
@@ -39,20 +39,22 @@ size_t qtr_nearby_bytes(uint32_t cells);
 /* An empty list. Grid and block, which is aligned as for a uint64_t, must outlive the structure. */
 void qtr_nearby_init(qtr_nearby *nearby, void *block, const qtr_grid *grid);
 
-/* List a cell that is not listed yet; nothing happens to one that is, or lies outside, or is one more than QTR_NEARBY_MOST. */
+/* List a cell that is not listed yet; nothing happens to one that is, or lies outside, or is one more than
+ * QTR_NEARBY_MOST. */
 static inline void qtr_nearby_list(qtr_nearby *nearby, qtr_cell cell) {
   if (cell >= qtr_grid_cells(nearby->grid) || nearby->slot[cell] != 0 || nearby->listed == QTR_NEARBY_MOST) return;
   nearby->list[nearby->listed++] = cell;
   nearby->slot[cell] = (uint16_t)nearby->listed;
 }
 
-/* Take a cell off the list, by its index; the last one takes its place. Nothing happens for an index beyond the list. */
+/* Take a cell off the list, by its index; the last one takes its place. Nothing happens for an index beyond the
+ * list. */
 void qtr_nearby_unlist(qtr_nearby *nearby, uint32_t index);
 
 void qtr_nearby_clear(qtr_nearby *nearby);
 
-/* The distance of each listed cell from `from`, a free cell. True if none is beyond `limit`, 0..65535. From a blocked cell or
- * one outside all are. */
+/* The distance of each listed cell from `from`, a free cell. True if none is beyond `limit`, 0..65535. From a blocked
+ * cell or one outside all are. */
 bool qtr_nearby_measure(qtr_nearby *nearby, qtr_cell from, qtr_steps limit);
 
 /* The free cells next to a free cell: their number, in the order N, E, S, W. 0 for a cell outside. */

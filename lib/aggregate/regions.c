@@ -10,8 +10,8 @@ void qtr_regions_default(qtr_regions_config *config) {
   *config = (qtr_regions_config){.made = SETTINGS_MADE, .max_size = 25, .diameter = 15};
 }
 
-/* Of a size that is none, and of one that this build has no lists for. A negation, so that a likelihood that is no number
- * is refused, too. */
+/* Of a size that is none, and of one that this build has no lists for. A negation, so that a likelihood that is no
+ * number is refused, too. */
 int qtr_regions_check(const qtr_regions_config *config) {
   if (config->made != SETTINGS_MADE || config->max_size == 0 || config->diameter == 0) return QTR_ERR_ARGUMENT;
   if (config->max_size > QTR_MAX_REGION_SIZE || config->diameter > QTR_MAX_REGION_DIAMETER) return QTR_ERR_LIMIT;

@@ -29,8 +29,9 @@ static bool holds(const qtr_division *d, qtr_region region, qtr_cell cell) {
   return d->nearby->listed == d->regions->size[region] && qtr_division_measure(d, cell);
 }
 
-/* Move the cell if both regions stay in order. Distances are the map's, so what is left of `from` is no further apart than it was
- * and need only be connected; in `to` the new cell alone has distances that were not within the diameter before. */
+/* Move the cell if both regions stay in order. Distances are the map's, so what is left of `from` is no further apart
+ * than it was and need only be connected; in `to` the new cell alone has distances that were not within the diameter
+ * before. */
 static bool try_move(const qtr_division *d, qtr_cell cell, qtr_region to) {
   const qtr_region from = d->regions->of[cell];
   move(d, cell, to);
@@ -120,7 +121,8 @@ static void attract(const qtr_division *d, qtr_region region) {
   }
 }
 
-/* Representatives stay where they are during a pass, or the errors that cells are compared by would be of two divisions. */
+/* Representatives stay where they are during a pass, or the errors that cells are compared by would be of two
+ * divisions. */
 void qtr_division_exchange(const qtr_division *d) {
   for (uint32_t region = 0; region < d->regions->count && division_may_go_on(d); region++)
     if (d->regions->size[region] > 0) attract(d, (qtr_region)region);
@@ -148,8 +150,8 @@ static bool give_away(const qtr_division *d, qtr_cell cell) {
   return true;
 }
 
-/* All of the region's cells are given away, or none. Inner cells can go when the outer ones have gone, so they are tried again as
- * long as one goes. */
+/* All of the region's cells are given away, or none. Inner cells can go when the outer ones have gone, so they are
+ * tried again as long as one goes. */
 static void dissolve_one(const qtr_division *d, qtr_region region) {
   qtr_regions_scratch *s = d->scratch;
   qtr_division_list_whole(d, region);
@@ -165,8 +167,8 @@ static void dissolve_one(const qtr_division *d, qtr_region region) {
     if (d->regions->of[s->chosen[i]] != region) move(d, s->chosen[i], region);
 }
 
-/* The smallest first, for they are the easiest to be rid of. Only the number of regions counts here: errors are settled by the
- * exchange that follows. */
+/* The smallest first, for they are the easiest to be rid of. Only the number of regions counts here: errors are settled
+ * by the exchange that follows. */
 void qtr_division_dissolve(const qtr_division *d) {
   for (uint32_t size = 1; size < d->config->max_size; size++)
     for (uint32_t region = 0; region < d->regions->count; region++)

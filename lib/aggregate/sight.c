@@ -63,8 +63,8 @@ static qtr_cell next_cell(const qtr_sight *sight, const qtr_grid *grid, qtr_cell
   return qtr_grid_neighbour(grid, cell, (enum qtr_direction)((unsigned)way[cell / 4] >> 2 * (cell % 4) & 3u));
 }
 
-/* What is not enough to enter the next cell is carried over: cells take their whole cost, so that many short stretches come as
- * far as a long one. */
+/* What is not enough to enter the next cell is carried over: cells take their whole cost, so that many short stretches
+ * come as far as a long one. */
 void qtr_sight_walk(const qtr_sight *sight, qtr_walk *walk, const qtr_tour *tour, qtr_steps steps) {
   const qtr_mission *mission = sight->game->mission;
   const qtr_grid grid = qtr_mission_grid(mission);
@@ -89,8 +89,8 @@ void qtr_sight_walk(const qtr_sight *sight, qtr_walk *walk, const qtr_tour *tour
 
 /* ---- what is seen ---- */
 
-/* d(representative, next place of the tour) + what follows it (section 5.2.3): alike for all cells of a region, so that tau is.
- * A seeker that is not there yet may be seen there: then a step, or time would not pass. */
+/* d(representative, next place of the tour) + what follows it (section 5.2.3): alike for all cells of a region, so that
+ * tau is. A seeker that is not there yet may be seen there: then a step, or time would not pass. */
 qtr_steps qtr_sight_left(const qtr_sight *sight, const qtr_walk *walk, const qtr_tour *tour, qtr_steps exact) {
   if (!sight->estimating) return exact;
   /* Who walks is on its way to one of its tour's places: those before it are done. */
@@ -101,7 +101,8 @@ qtr_steps qtr_sight_left(const qtr_sight *sight, const qtr_walk *walk, const qtr
   return left > 0 ? left : 1;
 }
 
-/* Region and stage in one digit: with the first place of the tour, which the node's digit tells, they are what is seen. */
+/* Region and stage in one digit: with the first place of the tour, which the node's digit tells, they are what is
+ * seen. */
 qtr_steps qtr_sight_digit(const qtr_sight *sight, const qtr_walk *walk, bool is_idle) {
   /* Who is seen stands on a free cell, and each of those has a region: the digit is below its base. */
   QTR_ASSERT(sight->regions->of[walk->cell] < sight->regions->count);

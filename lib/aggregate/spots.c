@@ -34,8 +34,8 @@ static double stretch(const clustering *c, unsigned p, unsigned q) {
   return 1.0 + c->config->likelihood * ((a > b ? a / b : b / a) - 1.0);
 }
 
-/* Distance of two places, TOO_FAR if they cannot be of one spot: the longer of the two ways, stretched. TOO_FAR is infinite, so
- * any sum that it is in is TOO_FAR too, and a spot with two such places is never the best of anything. */
+/* Distance of two places, TOO_FAR if they cannot be of one spot: the longer of the two ways, stretched. TOO_FAR is
+ * infinite, so any sum that it is in is TOO_FAR too, and a spot with two such places is never the best of anything. */
 static double apart(const clustering *c, unsigned p, unsigned q) {
   const qtr_steps there = way(c->ground, p, q);
   const qtr_steps back = way(c->ground, q, p);
@@ -121,8 +121,8 @@ static bool is_closer(linkage a, linkage b) {
   return a.longest < b.longest || (a.longest <= b.longest && a.total < b.total);
 }
 
-/* Join the two spots that are closest. False: no two may be joined. How far two spots are is how far their farthest places are
- * (complete linkage), for those must be within the diameter when they are one. */
+/* Join the two spots that are closest. False: no two may be joined. How far two spots are is how far their farthest
+ * places are (complete linkage), for those must be within the diameter when they are one. */
 static bool join_closest(const clustering *c, qtr_spots *spots) {
   linkage best = {TOO_FAR, TOO_FAR};
   unsigned first = 0, second = 0;
@@ -199,15 +199,17 @@ static bool empty(const clustering *c, qtr_spots *spots, unsigned spot, qtr_spot
   return true;
 }
 
-/* From the first spot on again after each one emptied: places that moved may have made room in those that failed before. */
+/* From the first spot on again after each one emptied: places that moved may have made room in those that failed
+ * before. */
 static void empty_spots(const clustering *c, qtr_spots *spots, qtr_spots *scratch) {
   for (unsigned spot = 0; spot < spots->count;) spot = empty(c, spots, spot, scratch) ? 0 : spot + 1;
 }
 
 /* ---- closer places: moves and swaps ---- */
 
-/* A place nearer to another spot's places than to its own goes there. The summed distance within spots falls by least_gain at
- * the least, and it is never below 0: so this ends. The last place of a spot stays: a spot less is for empty() to find. */
+/* A place nearer to another spot's places than to its own goes there. The summed distance within spots falls by
+ * least_gain at the least, and it is never below 0: so this ends. The last place of a spot stays: a spot less is for
+ * empty() to find. */
 static bool try_move(const clustering *c, qtr_spots *spots, unsigned place, unsigned to) {
   const unsigned from = spots->spot_of[place];
   if (to == from || spots->size[to] >= c->config->size || spots->size[from] == 1) return false;
@@ -410,7 +412,8 @@ static prospect go_best(const touring *t, unsigned done, unsigned node) {
  *
  *   V(S, j) = max over p not in S of delayed(visit(p) + V(S + p, p), d(j, p)),    V(all, j) = visit(rest)
  *
- * A set is a number, and one with a place more is a larger number: from the largest down, all that is needed is there. */
+ * A set is a number, and one with a place more is a larger number: from the largest down, all that is needed is
+ * there. */
 static void look_back(const touring *t) {
   const unsigned all = (1u << t->count) - 1u;
   for (unsigned last = 0; last < t->count; last++) {

@@ -24,9 +24,9 @@ static void begin(qtr_targets *t, const qtr_game *game) {
 
 /* ---- tours ---- */
 
-/* The tour of a target from a node; what follows its first place is kept by that place. From there on the best order maximises
- * what is counted from its visit, whoever comes and when (objectives fall apart at any moment), and the nearest-first order
- * looks at the place alone: so whichever node is planned last writes the same tour. */
+/* The tour of a target from a node; what follows its first place is kept by that place. From there on the best order
+ * maximises what is counted from its visit, whoever comes and when (objectives fall apart at any moment), and the
+ * nearest-first order looks at the place alone: so whichever node is planned last writes the same tour. */
 static bool plan_tour(qtr_targets *t, unsigned node, uint16_t target, uint8_t order) {
   const qtr_spot_ground ground = ground_of(t->game);
   const uint16_t *place = t->spots.place[target];

@@ -1,5 +1,5 @@
-/* What seekers choose: targets. Without aggregation a target is a place; with hiding aggregation (paper, section 5.2.4) it
- * is a spot, whose places are visited one after the other, without a break.
+/* What seekers choose: targets. Without aggregation a target is a place; with hiding aggregation (paper, section 5.2.4)
+ * it is a spot, whose places are visited one after the other, without a break.
  *
  * What follows the first place of a spot does not depend on where the seeker came from, so a tour is known by its first
  * place: as many tours as places, and the state of a seeker on its way is (first place, steps left).
@@ -40,8 +40,8 @@ void qtr_targets_places(qtr_targets *targets, const qtr_game *game);
  * mission's watch: the targets are of no use then. */
 int qtr_targets_spots(qtr_targets *targets, const qtr_game *game, const qtr_spots_config *config, uint8_t order);
 
-/* The innermost of the learner's loops call the functions below: nodes, places and targets, which must be the game's, are
- * not checked. */
+/* The innermost of the learner's loops call the functions below: nodes, places and targets, which must be the game's,
+ * are not checked. */
 
 /* The first place of a target's tour from a node; QTR_STAND_DOWN if there is no way. */
 static inline uint16_t qtr_targets_first(const qtr_targets *targets, unsigned node, unsigned target) {

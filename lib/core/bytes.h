@@ -5,7 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A compiler for no operating system may come without <string.h>. It makes memset() and the like of these where they are long. */
+/* A compiler for no operating system may come without <string.h>. It makes memset() and the like of these where they
+ * are long. */
 static inline void bytes_clear(void *to, uint32_t count) {
   uint8_t *at = (uint8_t *)to;
   for (uint32_t i = 0; i < count; i++) {

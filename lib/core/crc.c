@@ -5,8 +5,8 @@ static const uint32_t nibble_table[16] = {0x00000000u, 0x1DB71064u, 0x3B6E20C8u,
                                           0x4DB26158u, 0x5005713Cu, 0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,
                                           0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu};
 
-/* Complemented before and after, so that zeros in front count; and a sum is taken up again as it was given, for the first
- * complement undoes the last one of the bytes before. */
+/* Complemented before and after, so that zeros in front count; and a sum is taken up again as it was given, for the
+ * first complement undoes the last one of the bytes before. */
 uint32_t qtr_crc32_add(uint32_t crc, const uint8_t *bytes, uint32_t size) {
   crc = ~crc;
   for (uint32_t i = 0; i < size; i++) {

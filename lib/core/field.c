@@ -2,8 +2,8 @@
 
 #include "quarter/status.h"
 
-/* What the upper 4 bits of a cell hold: enum qtr_direction, or one of these; and whether its row ends with it, so that nothing
- * has to be divided by the columns. */
+/* What the upper 4 bits of a cell hold: enum qtr_direction, or one of these; and whether its row ends with it, so that
+ * nothing has to be divided by the columns. */
 enum { HERE = 4, UNKNOWN = 5, WAYS = 7, LAST_OF_ROW = 8 };
 
 #define SHIFT (8 * sizeof(qtr_field_cell) - 4)
@@ -30,8 +30,8 @@ static qtr_cell link_of(const qtr_field *field, qtr_cell cell) {
   return (link == NO_LINK) ? QTR_NO_CELL : (qtr_cell)link;
 }
 
-/* A cell is told which way to go. All neighbours that can tell it tell it the same time, for that is what entering itself costs
- * more: so the first one is as good as any, and it waits in the ring once, until it can tell others. */
+/* A cell is told which way to go. All neighbours that can tell it tell it the same time, for that is what entering
+ * itself costs more: so the first one is as good as any, and it waits in the ring once, until it can tell others. */
 static void tell(qtr_field *field, const qtr_grid *grid, uint32_t cell, unsigned way) {
   const unsigned cost = qtr_grid_cost(grid, (qtr_cell)cell);
   if ((cost == 0u) || (way_of(field, cell) != UNKNOWN)) {
@@ -103,8 +103,8 @@ int qtr_field_begin_built(qtr_field *field, const qtr_grid *grid, qtr_cell targe
   return QTR_OK;
 }
 
-/* The next bucket's cells are settled; each tells its neighbours, first all that go north, then all that go east, and so on: of ways
- * that take the same time a cell so takes the first in this order. */
+/* The next bucket's cells are settled; each tells its neighbours, first all that go north, then all that go east, and
+ * so on: of ways that take the same time a cell so takes the first in this order. */
 static void settle_next(qtr_field *field) {
   if ((field->direction < QTR_WEST) && (field->first != QTR_NO_CELL)) {
     field->direction++;

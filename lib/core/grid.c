@@ -1,7 +1,7 @@
 #include "quarter/grid.h"
 
-/* Cells are counted from the north-west corner, row by row: east is one on, south a row on. Only in a row can a neighbour
- * be lost without leaving the array, so east and west ask for the column. */
+/* Cells are counted from the north-west corner, row by row: east is one on, south a row on. Only in a row can a
+ * neighbour be lost without leaving the array, so east and west ask for the column. */
 qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direction direction) {
   if (cell >= qtr_grid_cells(grid)) {
     return QTR_NO_CELL;
@@ -21,8 +21,8 @@ uint32_t qtr_grid_size(uint32_t cells, uint8_t encoding) {
   return (encoding == QTR_GRID_BYTES) ? cells : ((cells / 8u) + ((cells % 8u) > 0u));
 }
 
-/* Right and bottom are the first column and row that are out: a box that holds nothing is all 0, and none that holds a cell
- * has a right of 0. */
+/* Right and bottom are the first column and row that are out: a box that holds nothing is all 0, and none that holds a
+ * cell has a right of 0. */
 void qtr_box_add(qtr_box *box, const qtr_grid *grid, qtr_cell cell) {
   const uint16_t column = (uint16_t)(cell % grid->columns);
   const uint16_t row = (uint16_t)(cell / grid->columns);
@@ -67,7 +67,8 @@ static bool has_metres(const qtr_frame *frame) {
 
 /* length * factor / QTR_FRAME_ONE, in two parts, for the product has more than 64 bits: the length is below 2^52. */
 static int64_t part_of(int64_t length, int32_t factor) {
-  /* Divided by magnitude: a shift of a negative number is the compiler's own in C99, and both signs are to round alike. */
+  /* Divided by magnitude: a shift of a negative number is the compiler's own in C99, and both signs are to round
+   * alike. */
   const bool is_negative = (length < 0) != (factor < 0);
   const uint64_t size = (uint64_t)((length < 0) ? -length : length);
   const uint64_t by = (uint64_t)((factor < 0) ? -(int64_t)factor : factor);

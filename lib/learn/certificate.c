@@ -22,15 +22,16 @@ bool qtr_certificate_closed(const qtr_learner *learner) {
   return learner->ground_upper <= qtr_certificate_within(learner, 1.0);
 }
 
-/* On an aggregate its own bound may meet the best game while the ground's does not: then the aggregate has no more to give. */
+/* On an aggregate its own bound may meet the best game while the ground's does not: then the aggregate has no more to
+ * give. */
 enum qtr_learning qtr_certificate_verdict(const qtr_learner *learner) {
   if (learner->phase != QTR_PHASE_EPISODES || learner->upper > qtr_certificate_within(learner, 1.0))
     return QTR_LEARNING;
   return qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
 }
 
-/* A discounted objective cannot tell plans apart that differ in what lies far off: the certificate says how much of it there is.
- * Places that count for next to nothing: discounted away, or hardly likely. */
+/* A discounted objective cannot tell plans apart that differ in what lies far off: the certificate says how much of it
+ * there is. Places that count for next to nothing: discounted away, or hardly likely. */
 static uint16_t count_negligible(const qtr_learner *learner) {
   const qtr_play *best = &learner->best;
   uint16_t count = 0;

@@ -13,7 +13,8 @@ bool qtr_certificate_bounds(double upper, double worth);
 /* Whether no policy on the ground beats the best game by more than the gap asked for. */
 bool qtr_certificate_closed(const qtr_learner *learner);
 
-/* Where learning stands when nothing stopped it: on an aggregate it may be at its end with a gap that is the aggregate's. */
+/* Where learning stands when nothing stopped it: on an aggregate it may be at its end with a gap that is the
+ * aggregate's. */
 enum qtr_learning qtr_certificate_verdict(const qtr_learner *learner);
 
 #endif

@@ -15,11 +15,12 @@ static bool is_below_entry(const qtr_learner *learner, const qtr_key *key, doubl
   return !qtr_qtable_get(&learner->table, key, &stored) || backup < stored;
 }
 
-/* Q(s,a) <- min(Q(s,a), backup); `value` is the largest Q of the state where the episode ended. Returns the largest Q of
- * the first state.
+/* Q(s,a) <- min(Q(s,a), backup); `value` is the largest Q of the state where the episode ended. Returns the largest Q
+ * of the first state.
  *
- * Q >= Q* before means Q >= Q* after: the backup R + gamma^tau max Q(s', .) is no less than R + gamma^tau max Q*(s', .), which
- * is Q*(s, a). From the end to the start, so that what was found out at the end reaches the start in one episode. */
+ * Q >= Q* before means Q >= Q* after: the backup R + gamma^tau max Q(s', .) is no less than R + gamma^tau max Q*(s',
+ * .), which is Q*(s, a). From the end to the start, so that what was found out at the end reaches the start in one
+ * episode. */
 static double back_up_all(qtr_learner *learner, double value) {
   for (unsigned i = learner->play.choices; i-- > 0;) {
     const qtr_trace *trace = &learner->trace[i];
@@ -36,9 +37,9 @@ static double back_up_all(qtr_learner *learner, double value) {
   return value;
 }
 
-/* One game, given up as soon as it cannot beat the best one, or when stopped: it can earn no more than earned + gamma^t Q. What
- * it has shown until then is backed up. Greedy on Q >= Q*, so the first choice's Q is a bound on every policy: where a greedy
- * game earns as much as it promised, it is optimal. */
+/* One game, given up as soon as it cannot beat the best one, or when stopped: it can earn no more than earned + gamma^t
+ * Q. What it has shown until then is backed up. Greedy on Q >= Q*, so the first choice's Q is a bound on every policy:
+ * where a greedy game earns as much as it promised, it is optimal. */
 static void certified_run(qtr_learner *learner) {
   /* Half of the gap: the other half takes up what rounding adds on the way back to the first state. */
   const double hopeless = qtr_certificate_within(learner, 0.5);
@@ -72,8 +73,8 @@ static void certified_run(qtr_learner *learner) {
 
 /* ---- local search on the best game ---- */
 
-/* Not where the setting's own best policy is sought; nor under the paper's rule, where routes alone do not make a game: who
- * must choose when depends on the others. */
+/* Not where the setting's own best policy is sought; nor under the paper's rule, where routes alone do not make a game:
+ * who must choose when depends on the others. */
 void qtr_certified_refine(qtr_learner *learner, unsigned rounds) {
   if (learner_learns_alone(learner) || learner->game->board.rule != QTR_RULE_FREE) return;
   qtr_play_to_routes(&learner->best, learner->game, &learner->routes);

@@ -1,5 +1,5 @@
-/* The certified setting: greedy on an upper bound, backed up from the end of an episode to its start, with local search on the
- * games played. */
+/* The certified setting: greedy on an upper bound, backed up from the end of an episode to its start, with local search
+ * on the games played. */
 #ifndef QUARTER_LEARN_CERTIFIED_H
 #define QUARTER_LEARN_CERTIFIED_H
 

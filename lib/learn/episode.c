@@ -7,14 +7,14 @@
 #include "model/rounding.h"
 #include "quarter/status.h"
 
-/* The first difference of the settings: what Q is before it is learnt. The paper setting knows nothing; the certified one
- * begins at an upper bound. */
+/* The first difference of the settings: what Q is before it is learnt. The paper setting knows nothing; the certified
+ * one begins at an upper bound. */
 static double initial_value(const qtr_learner *learner, const qtr_situation *after) {
   return learner_is_paper(learner) ? 0.0 : qtr_bound_state(&learner->bound, after);
 }
 
-/* In the certified setting the bound may be tighter than an entry that was made at another step of the clock: keys without a clock know no
- * time, prices do. Both are Q* or more, so the lesser is. */
+/* In the certified setting the bound may be tighter than an entry that was made at another step of the clock: keys
+ * without a clock know no time, prices do. Both are Q* or more, so the lesser is. */
 static double entry_value(const qtr_learner *learner, const qtr_situation *after, const qtr_key *key) {
   const double initial = initial_value(learner, after);
   double stored;
@@ -22,8 +22,8 @@ static double entry_value(const qtr_learner *learner, const qtr_situation *after
   return learner_is_paper(learner) || stored < initial ? stored : initial;
 }
 
-/* Q(s, a) is what the choice earns at once + the entry of the joint state after it: pairs (s, a) that lead to one such state
- * share the entry. */
+/* Q(s, a) is what the choice earns at once + the entry of the joint state after it: pairs (s, a) that lead to one such
+ * state share the entry. */
 static void add_candidate(qtr_learner *learner, const qtr_situation *state, int seeker, uint16_t choice) {
   qtr_candidates *c = &learner->candidates;
   const unsigned i = c->count++;

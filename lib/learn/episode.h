@@ -1,5 +1,5 @@
-/* What both settings do in an episode: list the choices with their Q, make one, note it for the backup, and find out what the
- * whole game earns on the ground. */
+/* What both settings do in an episode: list the choices with their Q, make one, note it for the backup, and find out
+ * what the whole game earns on the ground. */
 #ifndef QUARTER_LEARN_EPISODE_H
 #define QUARTER_LEARN_EPISODE_H
 

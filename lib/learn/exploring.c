@@ -7,8 +7,8 @@
 #include "learn/role.h"
 #include "model/rounding.h"
 
-/* Q(s,a) <- (1 - alpha) Q(s,a) + alpha backup, for the choice made last; `value` is the largest Q of the state now. With
- * alpha = 1 that is Eq. 4.7 itself, right where a choice always leads to one state. */
+/* Q(s,a) <- (1 - alpha) Q(s,a) + alpha backup, for the choice made last; `value` is the largest Q of the state now.
+ * With alpha = 1 that is Eq. 4.7 itself, right where a choice always leads to one state. */
 static void back_up_last(qtr_learner *learner, double value) {
   if (learner->play.choices == 0) return;
   const qtr_trace *trace = &learner->trace[learner->play.choices - 1];
@@ -40,8 +40,8 @@ static bool run_exploring_episode(qtr_learner *learner) {
   return true;
 }
 
-/* What has been learnt so far, played without learning: the policy that the paper measures. The first such game is the best
- * one, whatever was played before, for the setting is to show what it learns by itself. */
+/* What has been learnt so far, played without learning: the policy that the paper measures. The first such game is the
+ * best one, whatever was played before, for the setting is to show what it learns by itself. */
 static void play_greedily(qtr_learner *learner) {
   qtr_situation state;
   int seeker;

@@ -36,8 +36,8 @@ int qtr_learner_config_check(const qtr_learner_config *config) {
 
 /* ---- set-up ---- */
 
-/* Regions have estimates for times, which bound nothing; and only under the free rule are routes that were learnt on an aggregate
- * a game on the ground. */
+/* Regions have estimates for times, which bound nothing; and only under the free rule are routes that were learnt on an
+ * aggregate a game on the ground. */
 static int check_together(const qtr_learner *learner, const qtr_learner_config *config) {
   if (config->setting == QTR_SETTING_CERTIFIED && !qtr_sight_is_exact(&learner->environment->sight))
     return QTR_ERR_ARGUMENT;
@@ -98,8 +98,8 @@ static void begin_prices(qtr_learner *learner, const qtr_environment *environmen
   learner->upper = learner->bound.upper;
 }
 
-/* The bound begins on the ground, whatever is learnt on: its prices are the certificate's. Floats round Q up by as much as
- * 1.2e-7 of it for each backup, which a gap below QTR_FLOAT_GAP would not forgive. */
+/* The bound begins on the ground, whatever is learnt on: its prices are the certificate's. Floats round Q up by as much
+ * as 1.2e-7 of it for each backup, which a gap below QTR_FLOAT_GAP would not forgive. */
 int qtr_learner_init_built(qtr_learner **made, const qtr_learner_blocks *blocks, const qtr_environment *ground,
                            const qtr_environment *aggregate, const qtr_learner_config *config, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -147,7 +147,8 @@ static bool may_tune(const qtr_learner *learner) {
   return learner->config.price_steps == 0 || learner->bound.iterations < learner->config.price_steps;
 }
 
-/* The goal is the best game known, which no bound falls below. Episodes need the best prices' C, so they are settled first. */
+/* The goal is the best game known, which no bound falls below. Episodes need the best prices' C, so they are settled
+ * first. */
 static void tune_prices(qtr_learner *learner) {
   bool improves = true;
   for (int i = 0; i < PRICE_STEPS && improves; i++)
@@ -167,8 +168,8 @@ static enum qtr_learning step_prices(qtr_learner *learner) {
   return !learner_learns_alone(learner) && qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
 }
 
-/* Ahead of an episode, so that none has to wait for its table to double: 256 MB take seconds. What a stop leaves undone the next
- * step goes on with. */
+/* Ahead of an episode, so that none has to wait for its table to double: 256 MB take seconds. What a stop leaves undone
+ * the next step goes on with. */
 static bool make_room(qtr_learner *learner) {
   while (qtr_qtable_make_room(&learner->table, QTR_MAX_CHOICES))
     if (!learner_may_go_on(learner)) return false;

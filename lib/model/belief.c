@@ -15,8 +15,8 @@ static const uint8_t magic[4] = {'Q', 'T', 'R', 'B'};
 
 /* ---- over the games ---- */
 
-/* Where targets are is a distribution theta over the places, itself unknown: Dirichlet with parameters prior + found, whose
- * mean is (prior_p + found_p) / sum of both. `strength` is the sum of the priors: so many finds weigh as much. */
+/* Where targets are is a distribution theta over the places, itself unknown: Dirichlet with parameters prior + found,
+ * whose mean is (prior_p + found_p) / sum of both. `strength` is the sum of the priors: so many finds weigh as much. */
 static int check_start(unsigned places, double strength, double keep) {
   if (places > QTR_MAX_PLACES) return QTR_ERR_LIMIT;
   if (places == 0 || !(strength > 0.0 && strength <= QTR_BELIEF_MOST)) return QTR_ERR_ARGUMENT;
@@ -39,8 +39,8 @@ static int divide_prior(qtr_belief *belief, const double *weights, double streng
   return QTR_OK;
 }
 
-/* Without weights all places are alike. Either way each prior is above QTR_BELIEF_LEAST: a place that counts for nothing
- * could never be learnt of. */
+/* Without weights all places are alike. Either way each prior is above QTR_BELIEF_LEAST: a place that counts for
+ * nothing could never be learnt of. */
 int qtr_belief_init_sized(qtr_belief *belief, unsigned places, const double *weights, double strength, double keep,
                           uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -105,8 +105,8 @@ static double weigh(const qtr_search *search, const qtr_belief *belief) {
   return sum < DBL_MIN ? 0.0 : sum;
 }
 
-/* P(p | nothing seen) = P(p) P(nothing seen | p) / sum over q of the same (Bayes), and that sum over the sum of P is how likely
- * it was to see nothing. */
+/* P(p | nothing seen) = P(p) P(nothing seen | p) / sum over q of the same (Bayes), and that sum over the sum of P is
+ * how likely it was to see nothing. */
 double qtr_search_posterior(const qtr_search *search, const qtr_belief *belief, double *posterior) {
   const double seen = weigh(search, belief);
   double all = 0.0;
@@ -117,8 +117,9 @@ double qtr_search_posterior(const qtr_search *search, const qtr_belief *belief, 
   return seen / all;
 }
 
-/* theta given that nothing was seen is a mixture over p, by the posterior, of Dirichlets with one find more at p. The mean of
- * component p is (alpha + e_p) / (A + 1), so the mixture's is (alpha + posterior) / (A + 1): the posterior counts as one find. */
+/* theta given that nothing was seen is a mixture over p, by the posterior, of Dirichlets with one find more at p. The
+ * mean of component p is (alpha + e_p) / (A + 1), so the mixture's is (alpha + posterior) / (A + 1): the posterior
+ * counts as one find. */
 int qtr_belief_not_found(qtr_belief *belief, const qtr_search *search) {
   const double seen = weigh(search, belief);
   if (!(seen > 0.0)) return QTR_ERR_ARGUMENT;

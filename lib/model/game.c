@@ -23,8 +23,8 @@ static void find_starts(qtr_game *game) {
   }
 }
 
-/* The elemental tasks (section 4.1): the composite task, which is what is learnt, sees of the map these times alone. False:
- * stopped. */
+/* The elemental tasks (section 4.1): the composite task, which is what is learnt, sees of the map these times alone.
+ * False: stopped. */
 static bool measure_travel(qtr_game *game, qtr_travel *travel) {
   qtr_cell start[QTR_MAX_SEEKERS];
   for (unsigned i = 0; i < game->board.starts; i++) start[i] = qtr_game_start_cell(game, i);
@@ -75,8 +75,8 @@ static unsigned nearest_place(const qtr_game *game, qtr_steps *steps) {
   return nearest;
 }
 
-/* Whether there is anything in reach that can be told from nothing: gamma^(t-1) of the nearest place is the most that any game
- * keeps of its rewards. */
+/* Whether there is anything in reach that can be told from nothing: gamma^(t-1) of the nearest place is the most that
+ * any game keeps of its rewards. */
 static int check_discount(const qtr_game *game, int *culprit) {
   qtr_steps steps;
   const unsigned nearest = nearest_place(game, &steps);
@@ -138,15 +138,16 @@ static void collect(const qtr_game *game, qtr_state *state, qtr_outcome *outcome
   QTR_ASSERT(state->unvisited > -ROUNDING);
 }
 
-/* Q(s,a) = max Q(s',a') where no time passes: a choice earns nothing by itself, but for a place that is reached in 0 steps. */
+/* Q(s,a) = max Q(s',a') where no time passes: a choice earns nothing by itself, but for a place that is reached in 0
+ * steps. */
 double qtr_game_choose(const qtr_game *game, qtr_state *state, int seeker, uint16_t choice) {
   if (!qtr_joint_choose(&state->joint, &game->board, seeker, choice)) return 0.0;
   state->unvisited -= game->probability[choice];
   return qtr_objective_at_once(&game->objective, game->probability[choice], state->now);
 }
 
-/* Stretch by stretch, each as long as the least travel time left, until a seeker is idle that has a choice: for the backup they
- * are one transition, tau their sum. */
+/* Stretch by stretch, each as long as the least travel time left, until a seeker is idle that has a choice: for the
+ * backup they are one transition, tau their sum. */
 void qtr_game_pass(const qtr_game *game, qtr_state *state, qtr_outcome *outcome) {
   qtr_objective_begin(outcome, state->now);
   while (qtr_joint_chooser(&state->joint, &game->board) == QTR_NOBODY) {

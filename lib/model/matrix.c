@@ -16,8 +16,9 @@ static bool is_in_known_part(const uint8_t *steps, const qtr_mission *mission, u
   return false;
 }
 
-/* A search a place and none a start: it goes backwards from the place, so that one gives the times from everywhere. With terrain
- * there and back differ, and what is kept is d(node, place). Little-endian, as a robot's board reads them from the table. */
+/* A search a place and none a start: it goes backwards from the place, so that one gives the times from everywhere.
+ * With terrain there and back differ, and what is kept is d(node, place). Little-endian, as a robot's board reads them
+ * from the table. */
 uint16_t qtr_matrix_fill(uint8_t *steps, const qtr_mission *mission, const qtr_cell *start, unsigned starts,
                          qtr_travel *travel, qtr_box *used) {
   const qtr_grid grid = qtr_mission_grid(mission);

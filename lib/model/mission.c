@@ -44,7 +44,8 @@ static bool is_free(const qtr_mission *mission, qtr_cell cell) {
   return cell < qtr_mission_cells(mission) && mission->cost[cell] > 0;
 }
 
-/* A place twice would be one place whose visit counts two times, at two moments. Weights are such that their sum is a double. */
+/* A place twice would be one place whose visit counts two times, at two moments. Weights are such that their sum is a
+ * double. */
 static int check_place(const qtr_mission *mission, int place) {
   if (!is_free(mission, mission->place[place])) return QTR_ERR_PLACE;
   for (int before = 0; before < place; before++)

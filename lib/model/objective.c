@@ -98,14 +98,15 @@ double qtr_objective_visit(const qtr_objective *objective, double probability) {
   return objective->kind == QTR_TIME ? 0.0 : probability;
 }
 
-/* Discounted, what comes later is less by gamma^steps; under expected time each step costs the likelihood that waits. */
+/* Discounted, what comes later is less by gamma^steps; under expected time each step costs the likelihood that
+ * waits. */
 double qtr_objective_delayed(const qtr_objective *objective, double worth, qtr_steps steps, double waiting) {
   if (objective->kind == QTR_TIME) return worth - (double)steps * waiting;
   return qtr_objective_power(objective, steps) * worth;
 }
 
-/* Discounted, rewards counted from now are those counted from the start over gamma^now; under expected time, -P (t - now) =
- * -P t + P now, for each place left. */
+/* Discounted, rewards counted from now are those counted from the start over gamma^now; under expected time, -P (t -
+ * now) = -P t + P now, for each place left. */
 double qtr_objective_from_now(const qtr_objective *objective, double worth, qtr_steps now, double unvisited) {
   if (objective->kind == QTR_TIME) return worth + (double)now * unvisited;
   const double power = qtr_objective_power(objective, now);
@@ -118,8 +119,8 @@ void qtr_objective_begin(qtr_outcome *outcome, qtr_steps now) {
   outcome->now = now;
 }
 
-/* Expected time as a backup sees it: W(s,a) = tau (unvisited mass) + W(s'), negated; who is visited within the stretch waits no
- * longer than until then. */
+/* Expected time as a backup sees it: W(s,a) = tau (unvisited mass) + W(s'), negated; who is visited within the stretch
+ * waits no longer than until then. */
 void qtr_objective_wait(const qtr_objective *objective, qtr_outcome *outcome, double unvisited, qtr_steps passed) {
   if (objective->kind == QTR_TIME) outcome->reward -= (double)passed * unvisited;
 }

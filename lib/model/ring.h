@@ -1,5 +1,5 @@
-/* Cells that wait for their time, in a ring of buckets (Dial 1969): as no cell costs more than 255 steps, a bucket a step and
- * one for now are enough, and whoever goes round the ring meets the cells in the order of their times. */
+/* Cells that wait for their time, in a ring of buckets (Dial 1969): as no cell costs more than 255 steps, a bucket a
+ * step and one for now are enough, and whoever goes round the ring meets the cells in the order of their times. */
 #ifndef QUARTER_RING_H
 #define QUARTER_RING_H
 

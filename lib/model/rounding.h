@@ -1,5 +1,5 @@
-/* Doubles are rounded after each operation, by any compiler under any flags: what is learnt is the same to the bit, and a bound
- * stays one. Included by every source that computes with them; what cannot be mended here is refused. */
+/* Doubles are rounded after each operation, by any compiler under any flags: what is learnt is the same to the bit, and
+ * a bound stays one. Included by every source that computes with them; what cannot be mended here is refused. */
 #ifndef QUARTER_MODEL_ROUNDING_H
 #define QUARTER_MODEL_ROUNDING_H
 
@@ -14,8 +14,9 @@
 #error "Quarter's learner needs doubles as IEEE 754 has them: compile it without -ffast-math and what that stands for"
 #endif
 
-/* No product is fused with a sum. gcc does not know the standard's pragma. What clang does not tell of nobody can refuse:
- * -ffp-contract=fast, which overrules the pragma, and -funsafe-math-optimizations without the rest of -ffast-math. */
+/* No product is fused with a sum. gcc does not know the standard's pragma. What clang does not tell of nobody can
+ * refuse: -ffp-contract=fast, which overrules the pragma, and -funsafe-math-optimizations without the rest of
+ * -ffast-math. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("fp-contract=off")
 #else

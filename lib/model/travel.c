@@ -10,8 +10,8 @@ static void wait_in_ring(qtr_travel *travel, const qtr_grid *grid, qtr_cell cell
   ring_put(travel->ring, travel->link, cell, to_go + qtr_grid_cost(grid, cell));
 }
 
-/* North of the first row a number wraps around to one beyond the cells, and south of the last it is beyond them: these ends
- * need no case of their own. */
+/* North of the first row a number wraps around to one beyond the cells, and south of the last it is beyond them: these
+ * ends need no case of their own. */
 static void settle_neighbours(qtr_travel *travel, const qtr_grid *grid, qtr_cell cell, qtr_steps told) {
   const qtr_cell columns = grid->columns;
   const qtr_cell column = (qtr_cell)(cell % columns);
@@ -46,8 +46,8 @@ int qtr_travel_fill_built(qtr_travel *travel, const qtr_grid *grid, qtr_cell tar
   return QTR_OK;
 }
 
-/* Any neighbour that is nearer by its own cost is on a shortest way; of several the first in the order of directions, so
- * that all robots go the same. */
+/* Any neighbour that is nearer by its own cost is on a shortest way; of several the first in the order of directions,
+ * so that all robots go the same. */
 qtr_cell qtr_travel_next(const qtr_travel *travel, const qtr_grid *grid, qtr_cell cell) {
   const uint32_t cells = qtr_grid_cells(grid);
   if (cell >= cells || cells > QTR_MAX_CELLS) return QTR_NO_CELL;

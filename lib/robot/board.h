@@ -1,5 +1,5 @@
-/* What only the core asks of a board: travel times, read in this one place and inline, for the joint game reads little else; and
- * its seekers as a table has them. */
+/* What only the core asks of a board: travel times, read in this one place and inline, for the joint game reads little
+ * else; and its seekers as a table has them. */
 #ifndef QUARTER_ROBOT_BOARD_H
 #define QUARTER_ROBOT_BOARD_H
 
@@ -21,7 +21,8 @@ inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsi
   return (steps == ((board->step_bytes == 1u) ? 0xFFu : 0xFFFFu)) ? QTR_NEVER : steps;
 }
 
-/* Whether a board's numbers, without its seats and travel times, are in their ranges: QTR_OK; QTR_ERR_LIMIT, QTR_ERR_ARGUMENT. */
+/* Whether a board's numbers, without its seats and travel times, are in their ranges: QTR_OK; QTR_ERR_LIMIT,
+ * QTR_ERR_ARGUMENT. */
 int qtr_board_check(const qtr_board *board);
 
 /* What a table says of each seeker, from the board's seekers on: where it starts. 2 bytes each. */

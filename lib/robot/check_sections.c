@@ -19,8 +19,8 @@ static bool spare_is_clear(const qtr_policy *policy) {
   return true;
 }
 
-/* Words that this version has no meaning for are refused, not taken for the nearest one it knows. Those that a robot plays by are
- * refused on opening already. */
+/* Words that this version has no meaning for are refused, not taken for the nearest one it knows. Those that a robot
+ * plays by are refused on opening already. */
 static int check_words(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   const bool known = qtr_claim_knows(bytes[QTR_POLICY_OBJECTIVE]) && (bytes[QTR_POLICY_CERTIFIED] <= 1u) &&
@@ -45,7 +45,8 @@ static int check_place_in_world(const qtr_policy *policy) {
   return is_on_map ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
-/* Bytes that mean nothing are 0: what fills up the seats before the cells (format 1), and the bits behind the last cell. */
+/* Bytes that mean nothing are 0: what fills up the seats before the cells (format 1), and the bits behind the last
+ * cell. */
 static int check_padding(const qtr_policy *policy) {
   const uint32_t cells = qtr_grid_cells(&policy->grid);
   if (is_format_1(policy->format) && ((policy->board.seekers % 2u) == 1u) &&

@@ -15,8 +15,8 @@ static unsigned first_in_reach(const qtr_policy *policy, unsigned node) {
   return place;
 }
 
-/* Moves can be undone, so a map falls into parts: what lies in one part is in reach of one another, and of nothing else. A
- * node thus reaches what the first place in its reach does, and two places reach each other or neither does. */
+/* Moves can be undone, so a map falls into parts: what lies in one part is in reach of one another, and of nothing
+ * else. A node thus reaches what the first place in its reach does, and two places reach each other or neither does. */
 static bool reach_agrees(const qtr_policy *policy, unsigned node) {
   const unsigned places = policy->board.places;
   const unsigned first = first_in_reach(policy, node);

@@ -9,8 +9,8 @@
 #include "robot/bits.h"
 #include "robot/layout.h"
 
-/* The start that stands for a cell: its region's, or on a table without regions the start at that cell; `starts` or more
- * if there is none. */
+/* The start that stands for a cell: its region's, or on a table without regions the start at that cell; `starts` or
+ * more if there is none. */
 static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
   unsigned start = 0;
   if (qtr_grid_cost(&policy->grid, cell) == 0u) {
@@ -30,8 +30,8 @@ static qtr_cell home_of(const qtr_policy *policy, unsigned seeker) {
   return qtr_policy_cell(policy, (unsigned)policy->board.places + policy->board.start_of[seeker]);
 }
 
-/* All where the mission says: then they play from those very cells and not from their regions, so that what they earn is
- * what the table's certificate says. */
+/* All where the mission says: then they play from those very cells and not from their regions, so that what they earn
+ * is what the table's certificate says. */
 static bool are_home(const qtr_policy *policy, const qtr_cell *starts) {
   for (unsigned i = 0; (starts != NULL) && (i < policy->board.seekers); i++) {
     if (starts[i] != home_of(policy, i)) {

@@ -6,8 +6,8 @@
 #include "quarter/status.h"
 #include "robot/layout.h"
 
-/* Read when it is asked for: a robot that is told its cell has no use for it. A map of format 1 was never turned: those bytes were
- * no part of its header. */
+/* Read when it is asked for: a robot that is told its cell has no use for it. A map of format 1 was never turned: those
+ * bytes were no part of its header. */
 qtr_frame qtr_policy_frame(const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   const bool can_turn = !is_format_1(policy->format);

@@ -6,7 +6,8 @@
 #include "robot/bits.h"
 #include "robot/board.h"
 
-/* At a node with no steps to go. There alone, and never between two nodes, a seeker chooses: what is chosen is carried out. */
+/* At a node with no steps to go. There alone, and never between two nodes, a seeker chooses: what is chosen is carried
+ * out. */
 static bool is_idle(const qtr_joint *joint, unsigned seeker) {
   return (joint->node[seeker] != QTR_STAND_DOWN) && (joint->remaining[seeker] == 0u);
 }
@@ -20,9 +21,9 @@ static bool is_open(const qtr_joint *joint, unsigned place, bool follows) {
   return !place_is_in(&joint->visited, place) && (follows || !place_is_in(&joint->bound, place));
 }
 
-/* The places that an idle seeker may choose, added to `choices` (may be NULL: then only the answer counts), and whether there are
- * any. By Table 1 those that others are bound for come in when fewer places than seekers are left; so too when a seeker has no
- * others within its reach. */
+/* The places that an idle seeker may choose, added to `choices` (may be NULL: then only the answer counts), and whether
+ * there are any. By Table 1 those that others are bound for come in when fewer places than seekers are left; so too
+ * when a seeker has no others within its reach. */
 static bool find_choices(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices) {
   const unsigned most = (board->rule == QTR_RULE_PAPER) ? 1u : 0u;
   bool any = false;
@@ -166,8 +167,8 @@ static qtr_steps least_remaining(const qtr_joint *joint, const qtr_board *board)
   return least;
 }
 
-/* To the next arrival, of one seeker or of several at once. Who follows another one to a place may find it visited: then it
- * just arrives. */
+/* To the next arrival, of one seeker or of several at once. Who follows another one to a place may find it visited:
+ * then it just arrives. */
 qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places *arrived) {
   const qtr_steps least = least_remaining(joint, board);
   if ((joint->unvisited == 0u) || (least == QTR_NEVER)) {

@@ -66,7 +66,8 @@ static bool comes_before(const qtr_key_shape *shape, const uint16_t *node, const
   return (node[i] != node[other]) ? node[i] < node[other] : (remaining[i] < remaining[other]);
 }
 
-/* Seekers of a kind are interchangeable: sorted, who is who is gone from the key. Kinds stay apart, in one order always. */
+/* Seekers of a kind are interchangeable: sorted, who is who is gone from the key. Kinds stay apart, in one order
+ * always. */
 QTR_APART static void sort_seekers(uint8_t order[QTR_MAX_SEEKERS], const qtr_key_shape *shape, const uint16_t *node,
                                    const qtr_steps *remaining) {
   for (unsigned i = 0; i < shape->seekers; i++) {
@@ -101,8 +102,8 @@ void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *vi
   }
 }
 
-/* The key is greatest where every digit is, for it is monotone in each: all places visited, and all seekers stood down, with the
- * longest way to go. */
+/* The key is greatest where every digit is, for it is monotone in each: all places visited, and all seekers stood down,
+ * with the longest way to go. */
 void qtr_key_measure(qtr_key_shape *shape) {
   uint16_t node[QTR_MAX_SEEKERS];
   qtr_steps remaining[QTR_MAX_SEEKERS];

@@ -5,14 +5,16 @@
 #include "quarter/status.h"
 #include "robot/bits.h"
 
-/* A header may claim any number of records, and what they take must not wrap around into a size that fits. The upper half
- * of the count tells: 0xF000 * 2^16 and what the lower half adds to it, of records below 4 kB, are less than 2^32. */
+/* A header may claim any number of records, and what they take must not wrap around into a size that fits. The upper
+ * half of the count tells: 0xF000 * 2^16 and what the lower half adds to it, of records below 4 kB, are less than
+ * 2^32. */
 static uint32_t size_of_records(const qtr_policy *policy) {
   const uint32_t bytes = policy->records_shape.bytes;
   return (((policy->records >> 16) * bytes) < 0xF000u) ? (policy->records * bytes) : UINT32_MAX;
 }
 
-/* A section that a table makes no use of takes no byte. All but the records are so few that their bytes are counted in 32 bits. */
+/* A section that a table makes no use of takes no byte. All but the records are so few that their bytes are counted in
+ * 32 bits. */
 static void find_sizes(uint32_t *size, const qtr_policy *policy) {
   const qtr_board *board = &policy->board;
   const uint32_t cells = qtr_grid_cells(&policy->grid);

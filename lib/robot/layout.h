@@ -87,9 +87,9 @@ static inline uint8_t cell_bytes_of(unsigned format, uint32_t cells) {
   return (is_format_1(format) || ((QTR_MAX_CELLS > 65536) && (cells > 65536u))) ? 4 : 2;
 }
 
-/* Where the policy's sections begin, by its dimensions: grid, board, features, format, and its records' shape and number. They
- * must lie in their ranges; records may be any number. There is no offset in a table to be wrong. Returns the bytes of the whole
- * table; UINT32_MAX: more than any table has. */
+/* Where the policy's sections begin, by its dimensions: grid, board, features, format, and its records' shape and
+ * number. They must lie in their ranges; records may be any number. There is no offset in a table to be wrong. Returns
+ * the bytes of the whole table; UINT32_MAX: more than any table has. */
 uint32_t qtr_layout_find(qtr_policy *policy);
 
 static inline const uint8_t *section_of(const qtr_policy *policy, enum section section) {
@@ -98,7 +98,8 @@ static inline const uint8_t *section_of(const qtr_policy *policy, enum section s
 
 /* ---- a record: the key, the least significant byte first; then the choice ---- */
 
-/* Format 1 has whole words, and 2 bytes of 0 at the end; since then a key and a choice take the bytes that they need. */
+/* Format 1 has whole words, and 2 bytes of 0 at the end; since then a key and a choice take the bytes that they
+ * need. */
 static inline qtr_record_shape record_shape_of(unsigned format, const qtr_board *board) {
   const unsigned key_bytes = is_format_1(format) ? (4u * board->keys.words) : ((board->keys.bits + 7u) / 8u);
   const unsigned choice_bytes = (is_format_1(format) || ((QTR_MAX_PLACES >= 255) && (board->places >= 255u))) ? 2u : 1u;

@@ -48,8 +48,8 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
 
 /* ---- off the table ---- */
 
-/* Whether `place` is the likelier one a step of travel: weight / steps compared without a division, in products that fit 64 bits. A
- * place on the spot (0 steps) beats all. */
+/* Whether `place` is the likelier one a step of travel: weight / steps compared without a division, in products that
+ * fit 64 bits. A place on the spot (0 steps) beats all. */
 static bool is_likelier(const qtr_policy *policy, unsigned seeker, unsigned from, unsigned place, unsigned other) {
   const qtr_steps steps = qtr_board_steps(&policy->board, seeker, from, place);
   const qtr_steps others = qtr_board_steps(&policy->board, seeker, from, other);
@@ -71,8 +71,8 @@ QTR_APART static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joi
 
 /* ---- the game ---- */
 
-/* A record that allows no such choice can only be a forged one; it counts as none. Whose turn it is not may choose nothing, and
- * stands. */
+/* A record that allows no such choice can only be a forged one; it counts as none. Whose turn it is not may choose
+ * nothing, and stands. */
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
   qtr_places choices;
   uint16_t choice = QTR_STAND_DOWN;
@@ -88,8 +88,8 @@ uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int
   return choice;
 }
 
-/* Time passes only when nobody has to choose, and each time it passes somebody arrives: between two choices there are no
- * more advances than seekers, so that a call is short. */
+/* Time passes only when nobody has to choose, and each time it passes somebody arrives: between two choices there are
+ * no more advances than seekers, so that a call is short. */
 bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move) {
   move->passed = 0;
   move->seeker = qtr_joint_chooser(joint, &policy->board);
@@ -106,8 +106,8 @@ bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move)
   return true;
 }
 
-/* Ends, for each time round somebody chooses, and there are no more choices than QTR_MAX_MOVES and one to stand down for
- * each seeker. */
+/* Ends, for each time round somebody chooses, and there are no more choices than QTR_MAX_MOVES and one to stand down
+ * for each seeker. */
 uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now, uint32_t *off_table) {
   if ((seeker < 0) || (seeker >= policy->board.seekers)) {
     return QTR_STAND_DOWN;

@@ -60,7 +60,8 @@ static int read_features(qtr_policy *policy) {
   return is_format_1(policy->format) ? QTR_ERR_CORRUPT : QTR_ERR_FORMAT;
 }
 
-/* 0 of anything is a damaged table; more than the arrays hold may be a good one for another build, and is called that. */
+/* 0 of anything is a damaged table; more than the arrays hold may be a good one for another build, and is called
+ * that. */
 static int read_dimensions(qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
   qtr_board *board = &policy->board;
@@ -82,7 +83,8 @@ static int read_dimensions(qtr_policy *policy) {
   return (cells > QTR_MAX_CELLS) ? QTR_ERR_LIMIT : status;
 }
 
-/* What stands before the records: who sits where, nodes, weights and travel times. How long keys are follows from it. */
+/* What stands before the records: who sits where, nodes, weights and travel times. How long keys are follows from
+ * it. */
 static int read_board(qtr_policy *policy) {
   qtr_board *board = &policy->board;
   if (qtr_layout_find(policy) > policy->size) {
@@ -106,8 +108,8 @@ static int find_the_rest(qtr_policy *policy) {
   return QTR_OK;
 }
 
-/* From the outside in: nothing is read before what says that it is there, and the game is played last, over numbers that
- * are in their ranges. */
+/* From the outside in: nothing is read before what says that it is there, and the game is played last, over numbers
+ * that are in their ranges. */
 int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) {
     return QTR_ERR_CONFIG;

@@ -1,5 +1,5 @@
-/* What of a seeker outlasts a reset. All else follows from the table, so a restart plays the division anew from the very same
- * starts and is told again what was known (tests/inside/test_incidents.c).
+/* What of a seeker outlasts a reset. All else follows from the table, so a restart plays the division anew from the
+ * very same starts and is told again what was known (tests/inside/test_incidents.c).
  *
  *   0  u8   'Q'
  *   1  u8   format, 1

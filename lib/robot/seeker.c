@@ -56,9 +56,9 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
 
 /* ---- what is known, and what follows from it ---- */
 
-/* Territories that this robot has scanned whole: they are done, and to be announced. One without places is so from the start.
- * When the division has just been worked out, those known to be done are announced too: after a reset nobody knows whether
- * they were. */
+/* Territories that this robot has scanned whole: they are done, and to be announced. One without places is so from the
+ * start. When the division has just been worked out, those known to be done are announced too: after a reset nobody
+ * knows whether they were. */
 static void find_finished(qtr_seeker *seeker, bool is_first) {
   const qtr_division *division = &seeker->division;
   qtr_seeker_set open = {{0}};
@@ -105,8 +105,9 @@ static bool is_to_try(const qtr_seeker *seeker, unsigned place) {
   return (!seeker->last_round || place_is_in(&seeker->retry, place)) && is_in_reach(seeker, place);
 }
 
-/* The next place of a territory: the first on its route that is to try, and in an odd pass the last. In pass p a robot walks
- * the territory of seeker self + p, so that two robots next to one another come to a third one's from both ends. */
+/* The next place of a territory: the first on its route that is to try, and in an odd pass the last. In pass p a robot
+ * walks the territory of seeker self + p, so that two robots next to one another come to a third one's from both
+ * ends. */
 static uint16_t next_on_route(const qtr_seeker *seeker, unsigned territory, bool backwards) {
   const qtr_division *division = &seeker->division;
   for (unsigned n = 0; n < division->moves; n++) {
@@ -118,8 +119,8 @@ static uint16_t next_on_route(const qtr_seeker *seeker, unsigned territory, bool
   return QTR_STAND_DOWN;
 }
 
-/* Look for a target in the territories not known to be done: those of seekers known to be lost, or those of the others. The own
- * one is first among the others, and is asked for before both. */
+/* Look for a target in the territories not known to be done: those of seekers known to be lost, or those of the others.
+ * The own one is first among the others, and is asked for before both. */
 static bool find_target(qtr_seeker *seeker, bool of_the_lost) {
   const unsigned seekers = seekers_of(seeker);
   for (unsigned pass = 0; pass < seekers; pass++) {
@@ -151,8 +152,8 @@ static bool begin_last_round(qtr_seeker *seeker) {
   return true;
 }
 
-/* Target and territory follow from what is known now, and from nothing else: so it does not matter in which order it became
- * known, nor whether there was a reset in between. */
+/* Target and territory follow from what is known now, and from nothing else: so it does not matter in which order it
+ * became known, nor whether there was a reset in between. */
 static void settle(qtr_seeker *seeker) {
   if (seeker->settled) {
     return;
@@ -298,7 +299,8 @@ bool qtr_seeker_known(const qtr_seeker *seeker, unsigned index, qtr_signal *sign
   return false;
 }
 
-/* Without a find, all territories done is the one good reason to stand; else what is left is out of reach, or blocked. */
+/* Without a find, all territories done is the one good reason to stand; else what is left is out of reach, or
+ * blocked. */
 enum qtr_standing qtr_seeker_standing(qtr_seeker *seeker) {
   settle(seeker);
   if (seeker->target != QTR_STAND_DOWN) {

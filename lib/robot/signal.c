@@ -10,8 +10,8 @@ void qtr_signal_write(const qtr_signal *signal, uint8_t *bytes) {
   bytes[9] = signal->territory;
 }
 
-/* Bytes of another length or kind are a later version's, or no signal: nothing is guessed of them. Whose territory it is
- * the seeker checks, who knows how many there are. */
+/* Bytes of another length or kind are a later version's, or no signal: nothing is guessed of them. Whose territory it
+ * is the seeker checks, who knows how many there are. */
 bool qtr_signal_read(qtr_signal *signal, const uint8_t *bytes, uint32_t size) {
   if (size != QTR_SIGNAL_BYTES) {
     return false;

@@ -45,9 +45,9 @@ static unsigned target_at(const qtr_bound *bound, unsigned node) {
 
 /* ---- the walks of one seeker ---- */
 
-/* What a walk from target `from` collects that begins the tour at `place` in `slot`: it may not go straight back. Walks may
- * repeat targets, which real ones cannot, and the worst of that is to and fro between two: with the best way on and the best
- * one to another target kept, C is known for every `from` at no more work than for none. */
+/* What a walk from target `from` collects that begins the tour at `place` in `slot`: it may not go straight back. Walks
+ * may repeat targets, which real ones cannot, and the worst of that is to and fro between two: with the best way on and
+ * the best one to another target kept, C is known for every `from` at no more work than for none. */
 static double gain_in(const qtr_bound *bound, unsigned from, unsigned place, uint32_t slot) {
   if (slot >= bound->slots) return bound->late[place];
   const qtr_gain *gain = &bound->gain[(size_t)slot * places_of(bound) + place];
@@ -59,7 +59,8 @@ static double gain_at(const qtr_bound *bound, unsigned from, unsigned place, qtr
   return gain_in(bound, from, place, bound->slot_steps == 1 ? when : when / bound->slot_steps);
 }
 
-/* What the tour begun at `place` is worth, net of its price: sum of worth(p_i, t + s_i) - lambda, s_i the step of its visit i. */
+/* What the tour begun at `place` is worth, net of its price: sum of worth(p_i, t + s_i) - lambda, s_i the step of its
+ * visit i. */
 static double net_worth(const qtr_bound *bound, const double *price, unsigned place, qtr_steps when) {
   const qtr_tour *tour = tour_at(bound, place);
   double worth = -price[tour->target];
@@ -77,8 +78,9 @@ static double target_worth(const qtr_bound *bound, unsigned target, qtr_steps wh
   return worth;
 }
 
-/* All that is left, collected at once at the first step past the last slot. From there on a real walk visits each target once
- * at most, and not before: the sum of what is above 0 bounds it. Its first target it cannot refuse any more. */
+/* All that is left, collected at once at the first step past the last slot. From there on a real walk visits each
+ * target once at most, and not before: the sum of what is above 0 bounds it. Its first target it cannot refuse any
+ * more. */
 static void fill_late(qtr_bound *bound, const double *price) {
   const qtr_steps end = bound->slots * bound->slot_steps;
   double all = 0.0;
@@ -93,7 +95,8 @@ static void fill_late(qtr_bound *bound, const double *price) {
   }
 }
 
-/* C(t, j) with the tour that it begins: net(j, t) + max(0, max over p of C(t + d(j, p), p)), d from tour's start to start. */
+/* C(t, j) with the tour that it begins: net(j, t) + max(0, max over p of C(t + d(j, p), p)), d from tour's start to
+ * start. */
 static void fill_gain(qtr_bound *bound, uint32_t slot, unsigned place, double net) {
   const qtr_tour *tour = tour_at(bound, place);
   const unsigned targets = targets_of(bound);
@@ -179,8 +182,8 @@ static void count_walk(const qtr_bound *bound, unsigned start_node, uint16_t tar
  *
  *   L(lambda) = sum of lambda + sum over seekers of C(start)
  *
- * is at least what any play earns: what seeker i collects there is a walk, so it is no more than C(its start) + the prices of
- * the targets that it is first at; and these prices, over all seekers, are no more than the sum of lambda. */
+ * is at least what any play earns: what seeker i collects there is a walk, so it is no more than C(its start) + the
+ * prices of the targets that it is first at; and these prices, over all seekers, are no more than the sum of lambda. */
 static double evaluate(qtr_bound *bound, const double *price, int *visits) {
   const qtr_board *board = &bound->game->board;
   double upper = 0.0;
@@ -308,9 +311,10 @@ static void keep_trial(qtr_bound *bound, double upper) {
   for (unsigned target = 0; target < targets_of(bound); target++) bound->price[target] = bound->trial[target];
 }
 
-/* Polyak's step: as far as would reach the goal if the bound fell on as it falls here. L is convex and piecewise linear in
- * lambda, and g = 1 - visits is a subgradient: were the goal its least value, lambda - scale (L - goal) / |g|^2 g would be nearer to
- * where that is, for a scale below 2. With g = 0 the walks are a play, and L but for what slots add what it earns. */
+/* Polyak's step: as far as would reach the goal if the bound fell on as it falls here. L is convex and piecewise linear
+ * in lambda, and g = 1 - visits is a subgradient: were the goal its least value, lambda - scale (L - goal) / |g|^2 g
+ * would be nearer to where that is, for a scale below 2. With g = 0 the walks are a play, and L but for what slots add
+ * what it earns. */
 static bool move_trial(qtr_bound *bound, double upper, double goal, const int *visits) {
   double square = 0.0;
   for (unsigned target = 0; target < targets_of(bound); target++)
@@ -355,8 +359,8 @@ static inline bool is_free(const qtr_situation *after, unsigned target) {
   return ((after->joint.visited.word[w] | after->joint.bound.word[w]) >> (target % 32) & 1u) == 0;
 }
 
-/* The most that one seeker can collect from its next free moment on, its first step going to a free target. Further ones are
- * not checked: C knows no state. */
+/* The most that one seeker can collect from its next free moment on, its first step going to a free target. Further
+ * ones are not checked: C knows no state. */
 static double collect_on(const qtr_bound *bound, const qtr_situation *after, unsigned node, qtr_steps when) {
   const qtr_steps *travel = travel_from(bound, node);
   const unsigned here = target_at(bound, node);
@@ -412,8 +416,8 @@ static double worth_under_way(const qtr_bound *bound, const qtr_situation *after
   return worth;
 }
 
-/* sum of lambda over the free targets + sum over seekers of C at their arrival: L(lambda) of the game that is left, by the same
- * proof. */
+/* sum of lambda over the free targets + sum over seekers of C at their arrival: L(lambda) of the game that is left, by
+ * the same proof. */
 static double bound_by_prices(const qtr_bound *bound, const qtr_situation *after) {
   double upper = 0.0;
   for (unsigned target = 0; target < targets_of(bound); target++)
@@ -436,8 +440,8 @@ static double bound_all_at_once(const qtr_bound *bound, const qtr_situation *aft
   return upper;
 }
 
-/* Each of the two is loose where the other one is not: the prices let walks repeat targets, the plain bound lets a seeker be at
- * all places at once. The lesser of two bounds is one. */
+/* Each of the two is loose where the other one is not: the prices let walks repeat targets, the plain bound lets a
+ * seeker be at all places at once. The lesser of two bounds is one. */
 double qtr_bound_state(const qtr_bound *bound, const qtr_situation *after) {
   const double prices = bound_by_prices(bound, after);
   const double plain = bound_all_at_once(bound, after);

@@ -1,7 +1,7 @@
 /* Upper bounds on what a game can still bring, from prices.
  *
- * Every target (a place, or a spot) gets a price. A seeker alone, at place j at step t, can then collect net of prices at
- * most
+ * Every target (a place, or a spot) gets a price. A seeker alone, at place j at step t, can then collect net of prices
+ * at most
  *
  *   C(t, j) = max(0, max over p of worth(p, t + d(j,p)) - price(p) + C(t + d(j,p), p)),
  *
@@ -27,8 +27,8 @@
 #include "aggregate/environment.h"
 #include "quarter/config.h"
 
-/* What a walk that comes to a place, the first of a target's tour, can collect, the tour included; and the target that it
- * goes on to. */
+/* What a walk that comes to a place, the first of a target's tour, can collect, the tour included; and the target that
+ * it goes on to. */
 typedef struct {
   double best;    /* the best way on */
   double second;  /* the best way on to any other target */
@@ -57,16 +57,17 @@ typedef struct {
 size_t qtr_bound_bytes(const qtr_game *game);
 
 /* Start from a known play: the visits of each target's places set its price, the last visit sets the horizon. The
- * environment must be without regions and outlive the bound, as must the block, qtr_bound_bytes() aligned for a qtr_gain. Stopped by the mission's watch, `upper` is what the nearest
- * seekers could collect all at once: valid, and not tight. */
+ * environment must be without regions and outlive the bound, as must the block, qtr_bound_bytes() aligned for a
+ * qtr_gain. Stopped by the mission's watch, `upper` is what the nearest seekers could collect all at once: valid, and
+ * not tight. */
 void qtr_bound_init(qtr_bound *bound, qtr_gain *gain, const qtr_environment *environment, const qtr_steps *visit);
 
 /* One subgradient step towards `goal`, the worth of the best play known. False when more steps are of no use; the best
  * prices are then in force. A stop changes nothing, and the step can be taken again. */
 bool qtr_bound_improve(qtr_bound *bound, double goal);
 
-/* Put the best prices in force, whatever was being tried. False: stopped, and no states can be bounded before it is called
- * again. */
+/* Put the best prices in force, whatever was being tried. False: stopped, and no states can be bounded before it is
+ * called again. */
 bool qtr_bound_settle(qtr_bound *bound);
 
 /* The most that can come after a choice, counted from now: `after` is the situation just after it, before time passes.

@@ -5,7 +5,8 @@
 #include "quarter/random.h"
 #include "quarter/status.h"
 
-/* Watkins and Dayan: Q converges if every choice of every state is taken infinitely often; with a rate that stays it is. */
+/* Watkins and Dayan: Q converges if every choice of every state is taken infinitely often; with a rate that stays it
+ * is. */
 void qtr_exploration_default(qtr_exploration_plan *plan) {
   plan->made = SETTINGS_MADE;
   plan->kind = QTR_EXPLORE_EPSILON;
@@ -69,8 +70,8 @@ static double exp_of(double x) {
   return sum;
 }
 
-/* P(i) = exp(Q_i / T) / sum over j of exp(Q_j / T). With the largest Q taken off each nothing overflows, and the shares stay
- * the same. */
+/* P(i) = exp(Q_i / T) / sum over j of exp(Q_j / T). With the largest Q taken off each nothing overflows, and the shares
+ * stay the same. */
 static unsigned pick_softmax(qtr_explorer *explorer, const double *q, unsigned count) {
   const double top = q[largest(q, count)];
   double sum = 0.0;
@@ -85,7 +86,8 @@ static unsigned pick_softmax(qtr_explorer *explorer, const double *q, unsigned c
   return count - 1;
 }
 
-/* Q-learning converges whatever the strategy, if it takes every choice of every state again and again (paper, section 3.1). */
+/* Q-learning converges whatever the strategy, if it takes every choice of every state again and again (paper, section
+ * 3.1). */
 unsigned qtr_explorer_pick(qtr_explorer *explorer, const double *q, unsigned count) {
   if (count == 0) return 0;
   switch (explorer->plan.kind) {

@@ -18,8 +18,8 @@ void qtr_play_add(qtr_play *play, int seeker, uint16_t choice) {
   play->choice[play->choices++] = choice;
 }
 
-/* A place counts at its first visit: under the paper's rule two seekers may be bound for it, and the later choice may come
- * sooner. */
+/* A place counts at its first visit: under the paper's rule two seekers may be bound for it, and the later choice may
+ * come sooner. */
 void qtr_play_score(qtr_play *play, const qtr_game *game) {
   qtr_state state;
   qtr_outcome outcome;
@@ -39,8 +39,8 @@ void qtr_play_score(qtr_play *play, const qtr_game *game) {
   qtr_game_score(game, play->visit, &play->score);
 }
 
-/* Among the places that a seeker may choose, the most likely one for the way to it: P / d, the greedy rule of search theory, as
- * robots have it off their table. At no distance d counts for half a step. */
+/* Among the places that a seeker may choose, the most likely one for the way to it: P / d, the greedy rule of search
+ * theory, as robots have it off their table. At no distance d counts for half a step. */
 static uint16_t best_rate(const qtr_game *game, const qtr_state *state, int seeker) {
   qtr_places choices;
   uint16_t choice = QTR_STAND_DOWN;

@@ -70,8 +70,8 @@ static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key,
   store_value(table, made, value);
 }
 
-/* Murmur3's mixing, on the key without its tag. Where an entry lies decides how long it is sought and nothing else, so no run
- * depends on the hash. */
+/* Murmur3's mixing, on the key without its tag. Where an entry lies decides how long it is sought and nothing else, so
+ * no run depends on the hash. */
 static uint32_t hash_entry(const qtr_qtable *table, const entry *hashed) {
   uint32_t hash = 0x9E3779B9u;
   for (unsigned w = 0; w < stored_words(table); w++) {
@@ -87,8 +87,8 @@ static uint32_t hash_entry(const qtr_qtable *table, const entry *hashed) {
   return hash ^ hash >> 16;
 }
 
-/* hash / 2^32 of the way through the slots: any number of them will do, and where an entry lies in a table twice as large
- * is about twice as far. */
+/* hash / 2^32 of the way through the slots: any number of them will do, and where an entry lies in a table twice as
+ * large is about twice as far. */
 static uint32_t home_slot(const qtr_qtable *table, const entry *homed) {
   return (uint32_t)((uint64_t)hash_entry(table, homed) * table->slots >> 32);
 }
@@ -132,8 +132,8 @@ static bool is_growing(const qtr_qtable *table) {
   return table->swept < table->before;
 }
 
-/* The slot of an entry with this key, or the free slot where it belongs: linear probing, which reads memory in order. Nothing
- * is ever taken out, so a free slot ends every search. */
+/* The slot of an entry with this key, or the free slot where it belongs: linear probing, which reads memory in order.
+ * Nothing is ever taken out, so a free slot ends every search. */
 static uint32_t find_slot(const qtr_qtable *table, const entry *sought) {
   /* Every entry lies where it is sought. */
   QTR_ASSERT(!is_growing(table));
@@ -169,7 +169,8 @@ static uint32_t crowded(uint32_t slots) {
   return slots / 8 * 7;
 }
 
-/* As the table itself will grow: by doubling while it is crowded, and no further than the largest table of this build. */
+/* As the table itself will grow: by doubling while it is crowded, and no further than the largest table of this
+ * build. */
 size_t qtr_qtable_needs(const qtr_qtable *table, uint32_t more) {
   const uint32_t most = slots_in(table, QTR_QTABLE_WORDS);
   uint32_t slots = table->slots;
@@ -237,7 +238,8 @@ double qtr_qtable_round_up(const qtr_qtable *table, double value) {
   return (double)rounded;
 }
 
-/* Up to 7/8 full before it grows, and 15/16 where it cannot: a search in vain then looks at (1 + 16^2) / 2 slots (Knuth). */
+/* Up to 7/8 full before it grows, and 15/16 where it cannot: a search in vain then looks at (1 + 16^2) / 2 slots
+ * (Knuth). */
 bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
   entry made;
   make_entry(table, &made, key, value);

@@ -2,8 +2,8 @@
  *
  * An entry is Q(s, a), stored under the joint state that the choice leads to before time passes. Two pairs (s, a) that
  * lead to the same such state have the same value and share the entry. A hash picks the slot, the stored key decides.
- * An entry takes only the words that the mission's keys need: 12 bytes for 20 places and 2 seekers. The table begins small
- * and doubles in place for as long as the block holds it.
+ * An entry takes only the words that the mission's keys need: 12 bytes for 20 places and 2 seekers. The table begins
+ * small and doubles in place for as long as the block holds it.
  */
 #ifndef QUARTER_SEARCH_QTABLE_H
 #define QUARTER_SEARCH_QTABLE_H
@@ -31,19 +31,20 @@ typedef struct {
   uint32_t *word; /* the block */
 } qtr_qtable;
 
-/* An empty table for keys of a shape, in a block of QTR_QTABLE_LEAST_WORDS at the least; more than QTR_QTABLE_WORDS are not
- * used. `precise`: doubles for values, at 4 bytes more an entry. */
+/* An empty table for keys of a shape, in a block of QTR_QTABLE_LEAST_WORDS at the least; more than QTR_QTABLE_WORDS are
+ * not used. `precise`: doubles for values, at 4 bytes more an entry. */
 void qtr_qtable_init(qtr_qtable *table, uint32_t *word, size_t words, const qtr_key_shape *keys, bool precise);
 
-/* The table stands in another block now, no smaller, whose start holds what the old one held. QTR_OK, or QTR_ERR_SPACE with
- * nothing changed. */
+/* The table stands in another block now, no smaller, whose start holds what the old one held. QTR_OK, or QTR_ERR_SPACE
+ * with nothing changed. */
 int qtr_qtable_move(qtr_qtable *table, uint32_t *word, size_t words);
 
 /* Words of a block in which no more than `more` entries to come are refused that one of QTR_QTABLE_WORDS would take. */
 size_t qtr_qtable_needs(const qtr_qtable *table, uint32_t more);
 
-/* Make room for `more` entries to come, a share of bounded work at a call: false when there is all that the block can give. In
- * between the table is neither read nor written, or they would have to wait for a whole doubling, which takes seconds. */
+/* Make room for `more` entries to come, a share of bounded work at a call: false when there is all that the block can
+ * give. In between the table is neither read nor written, or they would have to wait for a whole doubling, which takes
+ * seconds. */
 bool qtr_qtable_make_room(qtr_qtable *table, uint32_t more);
 
 /* Bytes that an entry takes, key and value. */

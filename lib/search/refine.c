@@ -42,8 +42,8 @@ static bool is_sooner(qtr_route_score after, qtr_route_score before) {
   return after.time < before.time - ROUNDING * before.time;
 }
 
-/* Worth more or else, at no loss of worth, sooner. The sum of the routes' worths never falls, and where it stays the sum
- * of their times falls: no series of changes comes back to where it was, so the search ends. */
+/* Worth more or else, at no loss of worth, sooner. The sum of the routes' worths never falls, and where it stays the
+ * sum of their times falls: no series of changes comes back to where it was, so the search ends. */
 static bool is_better(qtr_route_score after, qtr_route_score before) {
   return is_worth_more(after, before) || (after.worth >= before.worth && is_sooner(after, before));
 }
@@ -112,8 +112,8 @@ static bool try_shift(qtr_refinery *r, qtr_routes *routes, const qtr_game *game,
   return keep_one(r, routes, game, seeker, length);
 }
 
-/* Exchange the places from..from+count-1 of one route for at..at+other-1 of another. With other = 0 they move over; with
- * both up to the ends the tails change hands. */
+/* Exchange the places from..from+count-1 of one route for at..at+other-1 of another. With other = 0 they move over;
+ * with both up to the ends the tails change hands. */
 static bool try_exchange(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned from,
                          unsigned count, unsigned second, unsigned at, unsigned other) {
   const uint16_t *x = routes->place[first];
@@ -178,14 +178,16 @@ static bool search_tails(qtr_refinery *r, qtr_routes *routes, const qtr_game *ga
   return false;
 }
 
-/* Whose places go over matters where a run is given for another one, so those pairs come in both orders; tails are traded. */
+/* Whose places go over matters where a run is given for another one, so those pairs come in both orders; tails are
+ * traded. */
 static bool search_pair(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned second) {
   if (first == second) return search_shifts(r, routes, game, first) || search_reversals(r, routes, game, first);
   return search_exchanges(r, routes, game, first, second) ||
          (first < second && search_tails(r, routes, game, first, second));
 }
 
-/* The first move found that betters is made. A local optimum of all these neighbourhoods at once is left only by shaking. */
+/* The first move found that betters is made. A local optimum of all these neighbourhoods at once is left only by
+ * shaking. */
 static void descend(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
   const unsigned seekers = game->board.seekers;
   unsigned settled = 0;
@@ -202,8 +204,8 @@ static unsigned draw(qtr_refinery *r, unsigned below) {
   return qtr_lcg_below(&r->random, below);
 }
 
-/* Take a few places out of one route and put them somewhere into another, better or not: against the score of a worthless
- * route every move is a gain. */
+/* Take a few places out of one route and put them somewhere into another, better or not: against the score of a
+ * worthless route every move is a gain. */
 static void shake(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
   const unsigned seekers = game->board.seekers;
   const unsigned first = draw(r, seekers);
@@ -231,8 +233,8 @@ static qtr_route_score evaluate_all(qtr_routes *routes, const qtr_game *game) {
   return sum;
 }
 
-/* Iterated local search: shake the best routes, descend, keep what is better. The learner's proof has no use for where its
- * first game came from, so nothing here needs to be optimal. */
+/* Iterated local search: shake the best routes, descend, keep what is better. The learner's proof has no use for where
+ * its first game came from, so nothing here needs to be optimal. */
 void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed) {
   r->random = seed * 0x9E3779B97F4A7C15u + 1u;
   /* Moves take places from route to route: what is no division at first never becomes one. */

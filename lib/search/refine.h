@@ -1,8 +1,9 @@
-/* Local search on a division of the places: each seeker's route, improved until no single change betters it, then shaken
- * and improved again. It gives the learner good games to start from; what they are worth is found by playing them.
+/* Local search on a division of the places: each seeker's route, improved until no single change betters it, then
+ * shaken and improved again. It gives the learner good games to start from; what they are worth is found by playing
+ * them.
  *
- * Seekers do not hinder one another, so under the free rule any division of the places and any orders are a game that can
- * be played, and its worth is the sum over the routes.
+ * Seekers do not hinder one another, so under the free rule any division of the places and any orders are a game that
+ * can be played, and its worth is the sum over the routes.
  */
 #ifndef QUARTER_SEARCH_REFINE_H
 #define QUARTER_SEARCH_REFINE_H
@@ -22,7 +23,8 @@ typedef struct {
   uint64_t random;
 } qtr_refinery;
 
-/* What one seeker's route brings; as of one with a place that cannot be reached where there is no such place or seeker. */
+/* What one seeker's route brings; as of one with a place that cannot be reached where there is no such place or
+ * seeker. */
 qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length);
 
 /* Improve `routes` (their scores need not be set), with `rounds` of shaking; `seed` decides how they shake. A stop by

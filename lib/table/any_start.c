@@ -93,8 +93,8 @@ double qtr_any_start_count_games(const qtr_any_start *any) {
   return qtr_any_start_count_crews(any) * count_sets(any);
 }
 
-/* A game's states: a choice for every place that is left, half of them in the mean, and for all seekers but one that stand
- * down. */
+/* A game's states: a choice for every place that is left, half of them in the mean, and for all seekers but one that
+ * stand down. */
 double qtr_any_start_estimate(const qtr_any_start *any) {
   const double places = any->board.places * (any->asked.any_cleared ? 0.5 : 1.0);
   return qtr_any_start_count_games(any) * (places + any->board.seekers - 1) * record_shape_written(&any->board).bytes;
@@ -130,8 +130,8 @@ static bool begin(qtr_any_start *any) {
   return true;
 }
 
-/* For one crew all sets, then the next crew: the own one, and after it all multisets of regions, from the one of the first
- * region alone on. An own crew that stands on representatives is met again, and then its rank decides. */
+/* For one crew all sets, then the next crew: the own one, and after it all multisets of regions, from the one of the
+ * first region alone on. An own crew that stands on representatives is met again, and then its rank decides. */
 bool qtr_any_start_next(qtr_any_start *any) {
   if (!any->begun) return begin(any);
   any->is_whole = false;
@@ -164,8 +164,8 @@ static uint8_t *entry_at(const qtr_any_start *any, uint32_t i) {
   return any->blocks.entries + (size_t)i * entry_size(any);
 }
 
-/* Rank 0 is the mission's own crew, 1 all others. A rank is a byte behind the record, so that entries stay in one array and
- * the records can close up in place. */
+/* Rank 0 is the mission's own crew, 1 all others. A rank is a byte behind the record, so that entries stay in one array
+ * and the records can close up in place. */
 static int add_entry(qtr_any_start *any, const qtr_joint *joint, uint16_t choice) {
   const uint32_t size = entry_size(any);
   if (any->count == UINT32_MAX || ((size_t)any->count + 1) * size > any->blocks.entry_room) return QTR_ERR_SPACE;
@@ -175,15 +175,16 @@ static int add_entry(qtr_any_start *any, const qtr_joint *joint, uint16_t choice
   return QTR_OK;
 }
 
-/* A route that is done means standing down: whoever has a place left in reach takes it, or the route would not be whole. */
+/* A route that is done means standing down: whoever has a place left in reach takes it, or the route would not be
+ * whole. */
 static uint16_t choice_of(const qtr_routes *routes, const uint16_t *number, int seeker, uint16_t *done) {
   if (done[seeker] >= routes->length[seeker]) return QTR_STAND_DOWN;
   const uint16_t place = routes->place[seeker][done[seeker]++];
   return number != NULL ? number[place] : place;
 }
 
-/* The game is played again on the table's board, where its keys are others than in the game that was learnt: all nodes and
- * places are there, and what is cleared counts as visited. A game is recorded whole or not at all. */
+/* The game is played again on the table's board, where its keys are others than in the game that was learnt: all nodes
+ * and places are there, and what is cleared counts as visited. A game is recorded whole or not at all. */
 int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16_t *number) {
   const uint32_t before = any->count;
   QTR_ASSERT(any->begun && !any->finished); /* a game is under way: qtr_any_start_next() said so */
@@ -214,7 +215,8 @@ void qtr_any_start_move(qtr_any_start *any, uint8_t *entries, size_t room) {
 
 /* ---- sorting, in place ---- */
 
-/* By key, then rank, then bytes: entries that are equal under this order are the same, so the order is one, whoever sorts. */
+/* By key, then rank, then bytes: entries that are equal under this order are the same, so the order is one, whoever
+ * sorts. */
 static int compare(const qtr_any_start *any, uint32_t i, uint32_t j) {
   const uint32_t size = entry_size(any);
   const uint8_t *a = entry_at(any, i);
@@ -254,8 +256,8 @@ static void sort(const qtr_any_start *any) {
   }
 }
 
-/* Entries of one state stand together now, the lowest rank first: that one stays. Records are shorter than entries, so the
- * end of those kept never comes past the entry that is read. */
+/* Entries of one state stand together now, the lowest rank first: that one stays. Records are shorter than entries, so
+ * the end of those kept never comes past the entry that is read. */
 void qtr_any_start_finish(qtr_any_start *any) {
   const qtr_record_shape shape = record_shape_written(&any->board);
   const uint32_t size = shape.bytes;

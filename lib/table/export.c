@@ -35,8 +35,8 @@ static void collect_records(qtr_learner *learner) {
   }
 }
 
-/* The mission's own board and starts, no regions. The certificate is asked anew: what it says belongs to the game that is
- * exported. */
+/* The mission's own board and starts, no regions. The certificate is asked anew: what it says belongs to the game that
+ * is exported. */
 static qtr_table_content content_of(const qtr_learner *learner, qtr_cell *start, qtr_certificate *certificate) {
   const qtr_game *game = learner->game;
   for (unsigned i = 0; i < game->board.starts; i++) start[i] = qtr_game_start_cell(game, i);

@@ -5,8 +5,8 @@
 
 #include "quarter/status.h"
 
-/* Weights stay as they were: likelihoods are worked out of them anew, over what is left, as Bayes' rule has it for places
- * known to be empty. Places close up, for a game has no gaps; `number` leads back. */
+/* Weights stay as they were: likelihoods are worked out of them anew, over what is left, as Bayes' rule has it for
+ * places known to be empty. Places close up, for a game has no gaps; `number` leads back. */
 void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole, const qtr_cell *start,
                    const qtr_places *cleared) {
   rest->places = 0;
@@ -21,8 +21,8 @@ void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole
   memcpy(rest->start, start, whole->seekers * sizeof *start);
 }
 
-/* One game that cannot be told by discounting must not end the making of a table for all others. The least expected time is
- * what a discount tends to as it comes near 1. */
+/* One game that cannot be told by discounting must not end the making of a table for all others. The least expected
+ * time is what a discount tends to as it comes near 1. */
 int qtr_rest_game(qtr_game *game, qtr_mission *rest, qtr_travel *travel) {
   const int status = qtr_game_init(game, rest, travel, NULL);
   if (status != QTR_ERR_DISCOUNT) return status;

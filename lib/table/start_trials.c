@@ -51,8 +51,8 @@ static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *dep
     qtr_joint joint;
     uint16_t place;
     qtr_joint_start(&joint, &policy->board, deployment->start_of, NULL);
-    /* The nominal game tells the order alone; the time is that of the seeker's own way, which begins in the cell drawn and not
-     * in the representative. */
+    /* The nominal game tells the order alone; the time is that of the seeker's own way, which begins in the cell drawn
+     * and not in the representative. */
     while ((place = qtr_policy_play(policy, &joint, (int)i, NULL, NULL)) != QTR_STAND_DOWN) {
       now += qtr_board_steps(&game->board, i, node, place);
       node = place;

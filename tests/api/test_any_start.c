@@ -1,5 +1,6 @@
 /* profiles: host mcu */
-/* Tables for any start and any progress: which games are learnt, what is recorded of them, and what robots find in them. */
+/* Tables for any start and any progress: which games are learnt, what is recorded of them, and what robots find in
+ * them. */
 #include <math.h>
 #include <string.h>
 
@@ -286,8 +287,8 @@ static void test_mission_itself_is_played_as_certified(void) {
   }
 }
 
-/* From the first place on the mission's own route goes another way than those from elsewhere, which come by there too: it is
- * the one that is kept. */
+/* From the first place on the mission's own route goes another way than those from elsewhere, which come by there too:
+ * it is the one that is kept. */
 static void test_in_a_state_of_several_games_the_own_one_decides(void) {
   static const uint16_t detour[3] = {0, 2, 1};
   qtr_routes routes;

@@ -1,6 +1,6 @@
 /* profiles: host mcu */
-/* The caller's blocks: as large as is said is enough, less is refused, nothing is touched beside them, and a Q-table that grows
- * by being moved learns what one that is large from the start learns. */
+/* The caller's blocks: as large as is said is enough, less is refused, nothing is touched beside them, and a Q-table
+ * that grows by being moved learns what one that is large from the start learns. */
 #include <stdlib.h>
 #include <string.h>
 

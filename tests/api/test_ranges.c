@@ -1,6 +1,6 @@
 /* profiles: host mcu */
-/* Every public function of the robot side with any integers at all: what is out of range is answered as its header says, and
- * nothing is read or written out of bounds (the sanitizers tell). */
+/* Every public function of the robot side with any integers at all: what is out of range is answered as its header
+ * says, and nothing is read or written out of bounds (the sanitizers tell). */
 #include <stdlib.h>
 #include <string.h>
 

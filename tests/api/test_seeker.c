@@ -361,7 +361,8 @@ static void test_territory_is_announced_once_and_only_when_scanned(void) {
   }
 }
 
-/* Two parts that are cut off from one another: each robot does its own and says so, and does not speak for the other. */
+/* Two parts that are cut off from one another: each robot does its own and says so, and does not speak for the
+ * other. */
 static void test_territory_out_of_reach_is_not_announced_as_done(void) {
   table_draw("S1.#.2S", 0);
   start_robots(NULL);

@@ -1,6 +1,6 @@
 /* profiles: host mcu */
-/* Long work ended early by the caller's watch, at every moment in turn: what is known stays valid, a plan that exists is kept,
- * and learning goes on from there to the same optimum. */
+/* Long work ended early by the caller's watch, at every moment in turn: what is known stays valid, a plan that exists
+ * is kept, and learning goes on from there to the same optimum. */
 #include "support/settings.h"
 #include "support/tables.h"
 

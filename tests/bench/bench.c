@@ -1,6 +1,6 @@
-/* The benchmarks: what the project promises, measured on the machine at hand and printed beside the target. Nothing here
- * is a test; a slow machine fails nothing. `--clone` also times a fresh clone up to its certified demo policy; `--takeover` measures
- * what robots do for one that is lost, and nothing else. */
+/* The benchmarks: what the project promises, measured on the machine at hand and printed beside the target. Nothing
+ * here is a test; a slow machine fails nothing. `--clone` also times a fresh clone up to its certified demo policy;
+ * `--takeover` measures what robots do for one that is lost, and nothing else. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,7 @@
-/* What the order is worth in which robots take over for one another: odd passes backwards, as the executor has it, against all
- * passes forward. Robots walk the grid cell by cell in nominal time and hear each other at once; the same games, the same
- * losses, both orders. Where it is the executor's own order, the executor is asked beside it and must say the same. */
+/* What the order is worth in which robots take over for one another: odd passes backwards, as the executor has it,
+ * against all passes forward. Robots walk the grid cell by cell in nominal time and hear each other at once; the same
+ * games, the same losses, both orders. Where it is the executor's own order, the executor is asked beside it and must
+ * say the same. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* LCM logs, read and written byte by byte as LCM's documentation has them: for each event, big-endian, a mark of 4 bytes,
- * the event's number (8), its time in microseconds (8), the lengths of channel and data (4 each), then these. */
+/* LCM logs, read and written byte by byte as LCM's documentation has them: for each event, big-endian, a mark of 4
+ * bytes, the event's number (8), its time in microseconds (8), the lengths of channel and data (4 each), then these. */
 #ifndef QUARTER_TESTS_DEMO_LCM_LOG_H
 #define QUARTER_TESTS_DEMO_LCM_LOG_H
 

@@ -10,8 +10,8 @@
 #include "support/random.h"
 #include "support/tool_run.h"
 
-/* More than any learning here takes: each ends by its certificate or by its number of games, never by the clock, so that a
- * test plays the same games on every machine. */
+/* More than any learning here takes: each ends by its certificate or by its number of games, never by the clock, so
+ * that a test plays the same games on every machine. */
 #define PLAY_LEARN_LIMIT 1e4
 
 static plan play_plan;

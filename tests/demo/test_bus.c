@@ -1,5 +1,5 @@
-/* The bus in one process: every message arrives unchanged at whom it is for, losses are as many as the dice say, and the
- * log has the world's time. */
+/* The bus in one process: every message arrives unchanged at whom it is for, losses are as many as the dice say, and
+ * the log has the world's time. */
 #include "bus.h"
 #include "channels.h"
 #include "lcm_log.h"

@@ -1,5 +1,6 @@
-/* Bytes that are no message, or one that makes no sense: whatever is on the bus, robots and world are told sound messages
- * only, and the rest is counted. The bytes come out of an LCM log written here, which LCM plays onto the bus. */
+/* Bytes that are no message, or one that makes no sense: whatever is on the bus, robots and world are told sound
+ * messages only, and the rest is counted. The bytes come out of an LCM log written here, which LCM plays onto the
+ * bus. */
 #include <math.h>
 #include <stdlib.h>
 

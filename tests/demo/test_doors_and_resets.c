@@ -1,4 +1,5 @@
-/* Games in which doors are shut and robots' power fails: nothing is announced that nobody scanned, and all come to an end. */
+/* Games in which doors are shut and robots' power fails: nothing is announced that nobody scanned, and all come to an
+ * end. */
 #include "baselines.h"
 #include "play.h"
 
@@ -39,7 +40,8 @@ static void assert_only_missing(int missing) {
   TEST_ASSERT_TRUE_MESSAGE(play_result.all_stopped_at >= 0.0, case_note);
 }
 
-/* One after the other, from the start: the others are scanned and announced, its own territory by nobody, and all stand. */
+/* One after the other, from the start: the others are scanned and announced, its own territory by nobody, and all
+ * stand. */
 static void test_a_shut_place_is_announced_by_nobody_and_the_others_end(void) {
   play_prepare_drawn("1..S..2/...S.../3..S..4", 0);
   for (int place = 0; place < 4; place++) {
@@ -82,7 +84,8 @@ static void assert_all_scanned_and_announced(void) {
   TEST_ASSERT_TRUE_MESSAGE(play_result.all_stopped_at >= 0.0, case_note);
 }
 
-/* Its power fails and is there again at once: all that it had in memory but its save is gone, and it makes no difference. */
+/* Its power fails and is there again at once: all that it had in memory but its save is gone, and it makes no
+ * difference. */
 static void test_a_robot_reset_at_any_time_visits_what_its_twin_visits(void) {
   play_prepare_drawn("1..S..2.3/.#.S.#.../4..S..5.6", 0);
   play_all(NULL, 1);
@@ -135,8 +138,8 @@ static void assert_found_and_left_at_that(double at, int restarted) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, count_scans_after(at), case_note);
 }
 
-/* Right after the find the power of one robot fails, the finder's too; and then that of all, of which the finder is lost, so that
- * saves alone know of it. It stays found: nobody goes on with its search, and all stand. */
+/* Right after the find the power of one robot fails, the finder's too; and then that of all, of which the finder is
+ * lost, so that saves alone know of it. It stays found: nobody goes on with its search, and all stand. */
 static void test_a_find_outlasts_a_reset(void) {
   play_prepare_drawn("1...S...2/.###.###./3.......4", 4);
   game_setup setup = play_setup(3);

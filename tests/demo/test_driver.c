@@ -1,4 +1,5 @@
-/* The driver: keeps right, goes straight where it can, drives around what stands in the way, and never just stands there. */
+/* The driver: keeps right, goes straight where it can, drives around what stands in the way, and never just stands
+ * there. */
 #include <math.h>
 #include <string.h>
 
@@ -170,7 +171,8 @@ static void test_what_lies_behind_the_aim_is_no_hindrance(void) {
   TEST_ASSERT_DOUBLE_WITHIN(1e-9, wheels.left, wheels.right);
 }
 
-/* A thing 0.3 ahead is touched after 0.15: the body's 0.12 and 0.03 of air. Half of what it wants free: 0.12 + 0.88 / 2. */
+/* A thing 0.3 ahead is touched after 0.15: the body's 0.12 and 0.03 of air. Half of what it wants free: 0.12 + 0.88 /
+ * 2. */
 static void test_it_slows_down_by_what_is_left_before_its_body_touches(void) {
   range[0] = 0.3f;
   const driver_wheels wheels = steer(0.0, (point){0.1, 0.0});
@@ -203,8 +205,8 @@ static void test_any_view_gives_finite_wheels(void) {
 
 /* ---- over time ---- */
 
-/* A robot without noise that does as its wheels are told, past a disc as large as itself: how near it comes, from middle to
- * middle. Negative if it does not reach the aim. */
+/* A robot without noise that does as its wheels are told, past a disc as large as itself: how near it comes, from
+ * middle to middle. Negative if it does not reach the aim. */
 static double drive_past(double heading, point disc, point aim) {
   double x = 0.0, y = 0.0, nearest = 10.0;
   for (int tick = 0; tick < 400; tick++) {

@@ -1,5 +1,5 @@
-/* Whole games on the demo's missions: the mine is found and everybody stops, nothing is scanned twice, nobody gets stuck,
- * and nobody says more than the rules allow. */
+/* Whole games on the demo's missions: the mine is found and everybody stops, nothing is scanned twice, nobody gets
+ * stuck, and nobody says more than the rules allow. */
 #include "lcm_log.h"
 #include "play.h"
 

@@ -24,8 +24,8 @@ static void write_drawing(const char *path, const char *rows) {
 
 /* ---- what it says ---- */
 
-/* One robot, place 0 of weight 1 three steps to the left, place 1 of weight 3 one step to the right. Right first: found at 1
- * with 3/4, and 4 steps later, at 5, with 1/4. */
+/* One robot, place 0 of weight 1 three steps to the left, place 1 of weight 3 one step to the right. Right first: found
+ * at 1 with 3/4, and 4 steps later, at 5, with 1/4. */
 static void test_one_robots_plan_by_hand(void) {
   play_prepare_drawn("1..S3", 0);
   TEST_ASSERT_DOUBLE_WITHIN(1e-6, 0.25, play_plan.likelihood[0]);

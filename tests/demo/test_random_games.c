@@ -73,7 +73,8 @@ static bool all_start_together(void) {
   return table_mission.seekers > 1;
 }
 
-/* Robots that start together can all go everywhere. One lost robot leaves room to pass it; two abreast may plug a corridor. */
+/* Robots that start together can all go everywhere. One lost robot leaves room to pass it; two abreast may plug a
+ * corridor. */
 static void test_with_any_one_robot_lost_anywhere_it_is_found(void) {
   for (unsigned number = 0; number < 70; number++) {
     test_random random = random_case("one robot lost", number);
@@ -121,8 +122,8 @@ static bool is_scanned_by(const qtr_division *division, int territory, double at
   return true;
 }
 
-/* Lost, stuck, slipping, without power, deaf, before shut doors, several at once: who says that a territory is done, or that the
- * target is found, says what is so. */
+/* Lost, stuck, slipping, without power, deaf, before shut doors, several at once: who says that a territory is done, or
+ * that the target is found, says what is so. */
 static void test_whatever_goes_wrong_nobody_announces_what_nobody_has_scanned(void) {
   int announced = 0, left = 0;
   for (unsigned number = 0; number < 120; number++) {

@@ -118,8 +118,8 @@ static int keep_json(void *user, const arena *a, const game_result *result, faul
 /* Play the plan and keep its JSON, and its page if there is a path for one. */
 static void record_game(game_setup setup, const char *page) {
   page_path = page;
-  /* What was read is known by its number, which a file that was removed leaves to the next one: the page of the game before
-   * may bear that of a mission's file of before, and would be spared. */
+  /* What was read is known by its number, which a file that was removed leaves to the next one: the page of the game
+   * before may bear that of a mission's file of before, and would be spared. */
   if (page != NULL) remove(page);
   record_begin(&r, &play_plan);
   setup.user = &r;
@@ -247,8 +247,8 @@ static void test_a_page_that_follows_is_told_all_but_what_happened(void) {
 
 /* ---- the page ---- */
 
-/* What a browser takes the data's element to hold: up to the first "</script", in any case. It must not hold "<!--" either,
- * behind which a browser looks for the end elsewhere. */
+/* What a browser takes the data's element to hold: up to the first "</script", in any case. It must not hold "<!--"
+ * either, behind which a browser looks for the end elsewhere. */
 static char *data_of_page(const char *path) {
   static char page[1 << 20];
   static const char element[] = "<script id=\"replay\" type=\"application/json\">";

@@ -16,7 +16,8 @@ void setUp(void) {
 void tearDown(void) {
 }
 
-/* Parse a line of words. They must outlive the settings, and getopt() still looks at the last word of options long past. */
+/* Parse a line of words. They must outlive the settings, and getopt() still looks at the last word of options long
+ * past. */
 static int parse(const char *line) {
   static char texts[100][250];
   static int lines;

@@ -1,4 +1,5 @@
-/* The faults that ship with the missions: all of them strike in the game that one plays without a thought, before the find. */
+/* The faults that ship with the missions: all of them strike in the game that one plays without a thought, before the
+ * find. */
 #include "faults.h"
 #include "play.h"
 

@@ -1,5 +1,5 @@
-/* The physical world: the same for the same seed, walls that hold, ground that slows, wheels that can be stopped, and rays
- * that see what is there. */
+/* The physical world: the same for the same seed, walls that hold, ground that slows, wheels that can be stopped, and
+ * rays that see what is there. */
 #include <math.h>
 
 #include "support/tables.h"

@@ -1,4 +1,5 @@
-/* A program on an AVR as simavr takes it: what it prints goes out by the first UART, and at its end it sleeps for good. */
+/* A program on an AVR as simavr takes it: what it prints goes out by the first UART, and at its end it sleeps for
+ * good. */
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>

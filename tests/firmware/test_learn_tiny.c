@@ -1,5 +1,6 @@
-/* A robot that learns by itself, under the profile QTR_PROFILE_TINY: maps of 10 x 10 cells, 8 places and 2 robots to their certificates
- * and on to a table that opens, all in 16 kB and 40 million instructions. What takes how much is printed. */
+/* A robot that learns by itself, under the profile QTR_PROFILE_TINY: maps of 10 x 10 cells, 8 places and 2 robots to
+ * their certificates and on to a table that opens, all in 16 kB and 40 million instructions. What takes how much is
+ * printed. */
 #include <stdio.h>
 #include <string.h>
 
@@ -36,7 +37,8 @@ void tearDown(void) {
 
 /* ---- what is measured ---- */
 
-/* Timer 0 of the MPS2 boards, which counts down at 25 MHz. QEMU's -icount shift=7 takes 128 ns of it for an instruction. */
+/* Timer 0 of the MPS2 boards, which counts down at 25 MHz. QEMU's -icount shift=7 takes 128 ns of it for an
+ * instruction. */
 static volatile uint32_t *const timer = (volatile uint32_t *)0x40000000u;
 enum { TIMER_CONTROL, TIMER_VALUE, TIMER_RELOAD };
 

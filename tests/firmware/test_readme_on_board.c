@@ -1,5 +1,5 @@
-/* The robot loop of README.md, word for word, on a board: each robot of the mission alone, as if all others were lost, and with
- * its power cut at any step. It announces nothing that it has not scanned, and scans all. */
+/* The robot loop of README.md, word for word, on a board: each robot of the mission alone, as if all others were lost,
+ * and with its power cut at any step. It announces nothing that it has not scanned, and scans all. */
 #include <setjmp.h>
 #include <stdio.h>
 #include <string.h>

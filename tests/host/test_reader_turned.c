@@ -34,8 +34,8 @@ static void test_a_map_turned_about_its_lower_left_corner(void) {
                 "map: m.yaml\nrobots: [{x: -1.25, y: 1.75}]\nplaces: [{x: -2.75, y: 1.25}]\n", 4, 3);
   expect_turned(TURNED("-1.5707963267948966"),
                 "map: m.yaml\nrobots: [{x: -0.75, y: 1.75}]\nplaces: [{x: -0.25, y: 0.25}]\n", 4, 3);
-  /* A turn by atan(3/4): the middle of the third cell of the top row is (1.25, 0.75) in the image, (0.55, 1.35) from the
-   * corner. */
+  /* A turn by atan(3/4): the middle of the third cell of the top row is (1.25, 0.75) in the image, (0.55, 1.35) from
+   * the corner. */
   expect_turned(TURNED("0.6435011087932844"),
                 "map: m.yaml\nrobots: [{x: -0.95, y: 2.35}]\nplaces: [{x: -0.45, y: 3.35}]\n", 4, 2);
   const input_position centre = frame_centre(&scratch_input, 2, true);

@@ -1,6 +1,6 @@
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
-/* The robot loop of README.md, word for word, over the table that README.md has learnt: one process a robot, a step of time
- * whenever all have moved, and nothing shared but the signals. */
+/* The robot loop of README.md, word for word, over the table that README.md has learnt: one process a robot, a step of
+ * time whenever all have moved, and nothing shared but the signals. */
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,4 +1,5 @@
-/* Tables that open and are not true of their own map, or of their own play: refused by every host command, in one line. */
+/* Tables that open and are not true of their own map, or of their own play: refused by every host command, in one
+ * line. */
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,8 @@
 #define _POSIX_C_SOURCE 200809L
-/* What the core rests on is asserted, and each assertion can fail: every one is broken here, on the robot side and in the
- * table's rooms; those of the learner's model and aggregates are in test_assertions_model.c, those of search and learning in
- * test_assertions_search.c. That all hold otherwise every other test of the core shows, for they link it with its assertions. */
+/* What the core rests on is asserted, and each assertion can fail: every one is broken here, on the robot side and in
+ * the table's rooms; those of the learner's model and aggregates are in test_assertions_model.c, those of search and
+ * learning in test_assertions_search.c. That all hold otherwise every other test of the core shows, for they link it
+ * with its assertions. */
 #include <string.h>
 
 #include "core/bytes.h"

@@ -1,4 +1,5 @@
-/* Settings come from their defaults: what these hold, that they are in their own ranges, and that nothing else is taken. */
+/* Settings come from their defaults: what these hold, that they are in their own ranges, and that nothing else is
+ * taken. */
 #include <math.h>
 #include <string.h>
 

@@ -142,7 +142,8 @@ static void test_spots_earn_what_their_tours_earn_on_the_ground(void) {
   }
 }
 
-/* The best of all divisions and orders of the spots, tried one by one: each seeker in turn takes a spot more or is done. */
+/* The best of all divisions and orders of the spots, tried one by one: each seeker in turn takes a spot more or is
+ * done. */
 static double try_spots(qtr_steps *visit, unsigned taken, unsigned seeker, unsigned node, qtr_steps now) {
   double best = -HUGE_VAL;
   if (seeker == mission.seekers) {

@@ -35,9 +35,9 @@ static void test_size_is_told_beforehand_and_needed_to_the_byte(void) {
   TEST_ASSERT_EQUAL_HEX8(0xA5, table_bytes[size]);
 }
 
-/* 160 of header, 4 of two seekers' starts, 4 cells (3 places, 1 start) of 2 bytes, 3 weights, 4 rows of 3 travel times of a
- * byte, the records of a key and a choice of a byte, 2 bytes of grid. A key: two nodes of 4 and none, two times of 0 to 6, three
- * places: 5 * 7 * 5 * 7 * 8 = 9800, 2 bytes. */
+/* 160 of header, 4 of two seekers' starts, 4 cells (3 places, 1 start) of 2 bytes, 3 weights, 4 rows of 3 travel times
+ * of a byte, the records of a key and a choice of a byte, 2 bytes of grid. A key: two nodes of 4 and none, two times of
+ * 0 to 6, three places: 5 * 7 * 5 * 7 * 8 = 9800, 2 bytes. */
 static void test_size_by_hand(void) {
   table_draw("1..S..2/..1....", 2);
   const uint32_t records = qtr_learner_best(table_learner)->choices;

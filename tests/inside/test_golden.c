@@ -1,7 +1,7 @@
 /* profiles: host mcu */
-/* What the learner decides, by its hash: the same by any compiler at any level of optimisation on any processor (the tests
- * golden_WAY build this file in several ways). The numbers change only when the learner or the format does; then a failure
- * prints the new ones. */
+/* What the learner decides, by its hash: the same by any compiler at any level of optimisation on any processor (the
+ * tests golden_WAY build this file in several ways). The numbers change only when the learner or the format does; then
+ * a failure prints the new ones. */
 #include <stddef.h>
 #include <string.h>
 

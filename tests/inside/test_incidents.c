@@ -1,7 +1,7 @@
 /* profiles: host mcu */
-/* No false "done", whatever happens: power cuts, shut doors, lost robots, robots of another table, other starts or another
- * search, at any moment and all at once. What a robot believes to be done has been scanned by somebody, and all survivors
- * come to an end. */
+/* No false "done", whatever happens: power cuts, shut doors, lost robots, robots of another table, other starts or
+ * another search, at any moment and all at once. What a robot believes to be done has been scanned by somebody, and all
+ * survivors come to an end. */
 #include <string.h>
 
 #include "quarter/seeker.h"

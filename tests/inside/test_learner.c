@@ -1,5 +1,6 @@
 /* profiles: host mcu */
-/* The learner: the optimum of small games by enumeration, a certificate that never grows worse, and a textbook backup. */
+/* The learner: the optimum of small games by enumeration, a certificate that never grows worse, and a textbook
+ * backup. */
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
@@ -390,8 +391,8 @@ static void test_everything_at_the_start_is_found_at_once(void) {
   }
 }
 
-/* Every seeker clears a row of its own; then one place fewer than seekers is left, far apart, and under the paper's rule
- * all go on to all of them, one close behind the other. No game has more choices. */
+/* Every seeker clears a row of its own; then one place fewer than seekers is left, far apart, and under the paper's
+ * rule all go on to all of them, one close behind the other. No game has more choices. */
 static void draw_crowd(unsigned seekers) {
   const unsigned rings = (QTR_MAX_PLACES - (seekers - 1)) / seekers;
   qtr_mission_default(&mission);

@@ -1,6 +1,6 @@
 /* profiles: host mcu */
-/* Episodes of the paper's setting, one by one: what the last backup brings, whose play is reported, and how targets that two
- * seekers went for become routes. */
+/* Episodes of the paper's setting, one by one: what the last backup brings, whose play is reported, and how targets
+ * that two seekers went for become routes. */
 #include <math.h>
 #include <string.h>
 
@@ -44,8 +44,8 @@ static void play_episodes(uint64_t episodes) {
   } while (certificate.episodes < episodes);
 }
 
-/* One place, three steps off: Q(s0, place) is w gamma^2 as soon as the one choice of the game has been backed up, and what
- * comes after the end of the game is worth nothing. */
+/* One place, three steps off: Q(s0, place) is w gamma^2 as soon as the one choice of the game has been backed up, and
+ * what comes after the end of the game is worth nothing. */
 static void test_last_choice_of_an_episode_is_backed_up(void) {
   set_up("S..1", 0);
   begin(1, NULL);

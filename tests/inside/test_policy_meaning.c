@@ -1,5 +1,6 @@
 /* profiles: host mcu */
-/* Tables with every number in its range, checksum and digest right, that cannot be true all the same: refused on opening. */
+/* Tables with every number in its range, checksum and digest right, that cannot be true all the same: refused on
+ * opening. */
 #include <float.h>
 #include <math.h>
 #include <string.h>

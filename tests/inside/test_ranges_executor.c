@@ -1,5 +1,6 @@
 /* profiles: host mcu */
-/* The executor, its signals and saves with any integers and bytes at all; the rest of the robot side is in test_ranges.c. */
+/* The executor, its signals and saves with any integers and bytes at all; the rest of the robot side is in
+ * test_ranges.c. */
 #include "quarter/names.h"
 #include "support/forging.h"
 #include "support/ranges.h"

@@ -1,4 +1,5 @@
-/* An application and the library that a framework's build made of our manifest: built under one set of sizes, a robot's. */
+/* An application and the library that a framework's build made of our manifest: built under one set of sizes, a
+ * robot's. */
 #include <quarter/robot.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-/* Calls of the library by instructions, on QEMU's MPS2 boards under -icount shift=7: the timer goes at 25 MHz and an instruction
- * takes 128 ns, which is 3.2 ticks. Prints a line a measure. */
+/* Calls of the library by instructions, on QEMU's MPS2 boards under -icount shift=7: the timer goes at 25 MHz and an
+ * instruction takes 128 ns, which is 3.2 ticks. Prints a line a measure. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* The joint game once more, from the paper's rules alone, and its optimum by going through all plays: no keys, no memory
- * of states, no bounds, nothing of the core but the mission. For small games. */
+/* The joint game once more, from the paper's rules alone, and its optimum by going through all plays: no keys, no
+ * memory of states, no bounds, nothing of the core but the mission. For small games. */
 #ifndef QUARTER_TESTS_BRUTE_H
 #define QUARTER_TESTS_BRUTE_H
 

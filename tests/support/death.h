@@ -1,5 +1,5 @@
-/* For what must end at an assertion: it is tried in a process of its own. The host's tests alone; the file that includes it
- * asks for POSIX. */
+/* For what must end at an assertion: it is tried in a process of its own. The host's tests alone; the file that
+ * includes it asks for POSIX. */
 #ifndef QUARTER_TESTS_DEATH_H
 #define QUARTER_TESTS_DEATH_H
 

@@ -1,4 +1,5 @@
-/* The blocks of a learner for the tests, in static storage as firmware has them: one ground, one aggregate, one learner. */
+/* The blocks of a learner for the tests, in static storage as firmware has them: one ground, one aggregate, one
+ * learner. */
 #ifndef QUARTER_TESTS_LEARNING_H
 #define QUARTER_TESTS_LEARNING_H
 

@@ -38,7 +38,8 @@ static inline double random_unit(test_random *random) {
   return qtr_splitmix_unit(&random->state);
 }
 
-/* Of so many cases those that are tried: all on a host, the first ones on a board, whose emulator takes a hundred times as long. */
+/* Of so many cases those that are tried: all on a host, the first ones on a board, whose emulator takes a hundred times
+ * as long. */
 #ifndef QUARTER_TEST_SHARE
 #define QUARTER_TEST_SHARE 1
 #endif

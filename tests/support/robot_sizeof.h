@@ -1,4 +1,5 @@
-/* What the robot's structures take in builds of several sizes: tests/support/robot_sizeof.c is compiled once for each. */
+/* What the robot's structures take in builds of several sizes: tests/support/robot_sizeof.c is compiled once for
+ * each. */
 #ifndef QUARTER_TESTS_ROBOT_SIZEOF_H
 #define QUARTER_TESTS_ROBOT_SIZEOF_H
 

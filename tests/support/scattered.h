@@ -1,5 +1,5 @@
-/* The maps that learning is measured on: a square, a fifth of its cells blocked, all seekers in a corner, one place in three of three
- * times the weight. */
+/* The maps that learning is measured on: a square, a fifth of its cells blocked, all seekers in a corner, one place in
+ * three of three times the weight. */
 #ifndef QUARTER_TESTS_SCATTERED_H
 #define QUARTER_TESTS_SCATTERED_H
 

@@ -1,5 +1,5 @@
-/* The command line as an attacker and an accident would have it: small memory, full disks, closed outputs, outputs that are
- * inputs under another name, inputs that are no files. */
+/* The command line as an attacker and an accident would have it: small memory, full disks, closed outputs, outputs that
+ * are inputs under another name, inputs that are no files. */
 #include <fcntl.h>
 #include <stdbool.h>
 #include <sys/stat.h>

@@ -1,4 +1,5 @@
-/* `--profile`: what a table takes on a robot, and that one which does not fit is told before any work, and not written. */
+/* `--profile`: what a table takes on a robot, and that one which does not fit is told before any work, and not
+ * written. */
 #include <unistd.h>
 
 #include "support/tool_run.h"

@@ -1,6 +1,6 @@
-/* The host tool ended early, by a time limit or by a signal at any moment from its first: a policy that is whole and says why
- * it ended, or nothing written and an exit status of its own. Moments are counted in the tool's own processor time, so that a
- * loaded machine sees the same ones. */
+/* The host tool ended early, by a time limit or by a signal at any moment from its first: a policy that is whole and
+ * says why it ended, or nothing written and an exit status of its own. Moments are counted in the tool's own processor
+ * time, so that a loaded machine sees the same ones. */
 #include <dirent.h>
 #include <sched.h>
 #include <signal.h>
@@ -180,7 +180,8 @@ static void test_a_time_limit_of_any_length_gives_a_policy_or_none(void) {
   }
 }
 
-/* What is learnt of the other starts is in the table, and the mission's own plan is the report's, whenever the end came. */
+/* What is learnt of the other starts is in the table, and the mission's own plan is the report's, whenever the end
+ * came. */
 static void test_a_table_for_any_start_holds_what_was_learnt_in_time(void) {
   static const double limits[] = {0.02, 0.1, 0.5};
   write_file("wide.txt", "S......2..#.....\n#1.3......5...1.\n...#......#...7.\n1.....4.......9.\n");

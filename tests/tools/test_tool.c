@@ -1,4 +1,5 @@
-/* The host tool from outside: exit statuses, files whole or absent, JSON, and every bad input told in one clear line. */
+/* The host tool from outside: exit statuses, files whole or absent, JSON, and every bad input told in one clear
+ * line. */
 #include <sys/stat.h>
 #include <unistd.h>
 

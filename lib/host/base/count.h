@@ -4,7 +4,8 @@
 
 #include <stdint.h>
 
-/* By value, so that one call can print several: printf("%s, %s", counted(p, "place").text, counted(k, "robot").text). */
+/* By value, so that one call can print several: printf("%s, %s", counted(p, "place").text, counted(k,
+ * "robot").text). */
 typedef struct {
   char text[64];
 } count_text;

@@ -21,8 +21,8 @@ typedef struct {
   char text[FAULT_SIZE];
 } fault;
 
-/* Write the line (printf style, no newline at the end). Always returns -1, so that a reader can `return fault_set(...)`.
- * The exit status is EXIT_BAD_INPUT. */
+/* Write the line (printf style, no newline at the end). Always returns -1, so that a reader can `return
+ * fault_set(...)`. The exit status is EXIT_BAD_INPUT. */
 int fault_set(fault *why, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Add a line below what is there; "..." stands for those that no longer fit. Always returns -1. */

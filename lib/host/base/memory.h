@@ -19,8 +19,8 @@ typedef struct {
 /* Make it hold so many bytes; what stood in it is lost. 0, or -1 with *why set and no block. */
 int memory_need(memory_block *block, size_t bytes, fault *why);
 
-/* Make it hold so many bytes; what stood in it stays, and may have moved. False: there is no more, and the block is as it
- * was. */
+/* Make it hold so many bytes; what stood in it stays, and may have moved. False: there is no more, and the block is as
+ * it was. */
 bool memory_grow(memory_block *block, size_t bytes);
 
 void memory_drop(memory_block *block);

@@ -163,7 +163,8 @@ static int print_option(FILE *out, const option_record *r, bool with_letter) {
   return length;
 }
 
-/* The options of a line, as far as the text: the column that they end in. The letters of the first one alone are shown. */
+/* The options of a line, as far as the text: the column that they end in. The letters of the first one alone are
+ * shown. */
 static int print_options(FILE *out, const option_set *set, const option_line *line) {
   const char *at = line->options, *from = at, *name;
   const option_record *first = find(set->table, at, strspn(at, name_letters));

@@ -61,8 +61,8 @@ typedef struct {
   const option_line *lines; /* ended by one without options */
 } option_set;
 
-/* Parse the words after argv[0] into `settings`, which hold their defaults, up to the first that is no option: optind tells.
- * 0, or -1 with *why set. */
+/* Parse the words after argv[0] into `settings`, which hold their defaults, up to the first that is no option: optind
+ * tells. 0, or -1 with *why set. */
 int option_parse(void *settings, const option_set *set, int argc, char **argv, fault *why);
 
 /* intro, the lines of the options, outro. The exit status: whether it was printed is found out at the end. */

@@ -1,5 +1,5 @@
-/* What ends a run early: a time limit, Ctrl-C, SIGTERM. Whoever works long and has something to show asks from time to time;
- * whoever has nothing before the end is ended at once. */
+/* What ends a run early: a time limit, Ctrl-C, SIGTERM. Whoever works long and has something to show asks from time to
+ * time; whoever has nothing before the end is ended at once. */
 #ifndef QUARTER_HOST_STOP_H
 #define QUARTER_HOST_STOP_H
 
@@ -8,7 +8,8 @@
 #include "host/base/fault.h"
 #include "quarter/watch.h"
 
-/* From now on Ctrl-C and SIGTERM end the program at once, with exit status 130 or 143, and no file is left half-written. */
+/* From now on Ctrl-C and SIGTERM end the program at once, with exit status 130 or 143, and no file is left
+ * half-written. */
 void stop_at_once(void);
 
 /* From now on Ctrl-C and SIGTERM do not end the program but are noted, also if they came before; a third one ends it at
@@ -33,8 +34,8 @@ int stop_signal(void);
 /* "interrupted" or "time limit". */
 const char *stop_reason(void);
 
-/* The line for a run that was stopped before it had anything to write, with the seconds that it takes to get there. Returns
- * -1; the exit status is EXIT_STOPPED. */
+/* The line for a run that was stopped before it had anything to write, with the seconds that it takes to get there.
+ * Returns -1; the exit status is EXIT_STOPPED. */
 int stop_fault(fault *why, const char *input, const char *what, double needed);
 
 #endif

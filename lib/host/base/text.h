@@ -30,7 +30,8 @@ typedef struct {
   size_t length;
 } text_field;
 
-/* The next field of a line that goes up to `end`; *rest is moved behind its comma, or set to NULL after the last one. */
+/* The next field of a line that goes up to `end`; *rest is moved behind its comma, or set to NULL after the last
+ * one. */
 text_field text_next_field(const char **rest, const char *end);
 
 bool text_field_is(text_field field, const char *word);

@@ -4,8 +4,9 @@
 
 #include "host/input/image.h"
 
-/* Decode `bytes`, whatever format they are in; `path` is for faults. 0, or -1 with *fault set and nothing to free. What a
- * header promises is checked against the size of the file and the limits of image.h before anything is allocated for it. */
+/* Decode `bytes`, whatever format they are in; `path` is for faults. 0, or -1 with *fault set and nothing to free. What
+ * a header promises is checked against the size of the file and the limits of image.h before anything is allocated for
+ * it. */
 int decode_image(image *it, const char *path, const file_bytes *bytes, enum image_alpha how, fault *why);
 
 /* Whether it starts as an image of any kind does, ours or not. */

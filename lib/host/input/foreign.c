@@ -12,8 +12,8 @@
 
 #define WORDS 3
 
-/* What a file starts with, blanks left out, and the words of which it holds one near its start (none named: any file). In this
- * order. */
+/* What a file starts with, blanks left out, and the words of which it holds one near its start (none named: any file).
+ * In this order. */
 static const struct {
   const char *start, *words[WORDS], *what;
 } formats[] = {

@@ -1,8 +1,8 @@
 /* Images of maps: PGM, PNG and BMP, map_server's own formats, as grey samples.
  *
- * As in map_server (nav2's map_io.cpp) a pixel's shade is the average of its colour channels. Alpha, where the image has
- * it, depends on the map's mode: in `trinary` it is averaged in as a fourth channel, opaque being bright; in `scale` what
- * is not opaque is unknown; in `raw` it does not count. */
+ * As in map_server (nav2's map_io.cpp) a pixel's shade is the average of its colour channels. Alpha, where the image
+ * has it, depends on the map's mode: in `trinary` it is averaged in as a fourth channel, opaque being bright; in
+ * `scale` what is not opaque is unknown; in `raw` it does not count. */
 #ifndef QUARTER_HOST_IMAGE_H
 #define QUARTER_HOST_IMAGE_H
 

@@ -1,5 +1,5 @@
-/* What an input says, as its readers fill it in: a mission, where its map lies, and where each start and place is stated.
- * Where the sources leave a choice open, read.h says what is made of it. */
+/* What an input says, as its readers fill it in: a mission, where its map lies, and where each start and place is
+ * stated. Where the sources leave a choice open, read.h says what is made of it. */
 #ifndef QUARTER_HOST_INPUT_H
 #define QUARTER_HOST_INPUT_H
 
@@ -70,8 +70,8 @@ const char *input_source_path(const input *in, input_origin origin);
 /* Let place `from` stand in the place of `to`, number and all: where places are left out. */
 void input_keep_place(input *in, int to, int from);
 
-/* "place 3 (mission.yaml:17)" and "seeker 0 (area.txt:4:7)", for messages about a place or a seeker's start; the number is
- * the input's. */
+/* "place 3 (mission.yaml:17)" and "seeker 0 (area.txt:4:7)", for messages about a place or a seeker's start; the number
+ * is the input's. */
 void input_place_name(const input *in, int place, char *out, size_t size);
 void input_seeker_name(const input *in, int seeker, char *out, size_t size);
 

@@ -23,9 +23,9 @@ int pixels_grow(pixels *map, double radius);
  * number, and an overlap below 1e-4 of a pixel is none: both are rounding. May exceed what an int holds. */
 double pixels_cells(int map, double ratio);
 
-/* Fill cost[rows * columns], row 0 on top, with 0 for cells that a blocked pixel or the image's edge cuts, 1 for others.
- * Cell edges start at the lower-left corner of the image. `columns` and `rows` are those of pixels_cells(). 0, or -1
- * with no memory. */
+/* Fill cost[rows * columns], row 0 on top, with 0 for cells that a blocked pixel or the image's edge cuts, 1 for
+ * others. Cell edges start at the lower-left corner of the image. `columns` and `rows` are those of pixels_cells(). 0,
+ * or -1 with no memory. */
 int pixels_coarsen(uint8_t *cost, int columns, int rows, const pixels *map, double ratio);
 
 #endif

@@ -124,7 +124,8 @@ enum rosmap_class rosmap_classify(const rosmap_header *header, int sample, int m
     double value = round(sample * 255.0 / maximum);
     return value == 0.0 ? ROSMAP_FREE : value <= 100.0 ? ROSMAP_OCCUPIED : ROSMAP_UNKNOWN;
   }
-  /* One correctly rounded division: a threshold written as the same fraction compares equal, which 1 - v/max would not. */
+  /* One correctly rounded division: a threshold written as the same fraction compares equal, which 1 - v/max would
+   * not. */
   double occupancy = (double)(header->negate ? sample : maximum - sample) / maximum;
   if (occupancy > header->occupied) return ROSMAP_OCCUPIED;
   if (occupancy < header->free) return ROSMAP_FREE;

@@ -14,8 +14,8 @@ int sites_add_place(input *in, input_position position, double weight, input_ori
 int sites_check_size(const char *path, long line, double columns, double rows, const char *mend, fault *why);
 
 /* All starts and places against the map and one another, and the number of robots asked for. Gives every robot its
- * start. Moves to free cells and leaves out what the options allow, and notes it; all that is left on no free cell of its
- * own is one fault, a line each. */
+ * start. Moves to free cells and leaves out what the options allow, and notes it; all that is left on no free cell of
+ * its own is one fault, a line each. */
 int sites_finish(input *in, const input_options *options, fault *why);
 
 #endif

@@ -124,8 +124,9 @@ static int check_event(const char *path, const shape *so_far, const yaml_event_t
   return 0;
 }
 
-/* libyaml's time is quadratic in nesting, directives, anchors and aliases: a few hundred kilobytes of brackets would hang
- * the tool, and no map or mission has many. Text that is not valid YAML is let through, for the parser to report. */
+/* libyaml's time is quadratic in nesting, directives, anchors and aliases: a few hundred kilobytes of brackets would
+ * hang the tool, and no map or mission has many. Text that is not valid YAML is let through, for the parser to
+ * report. */
 static int check_shape(const char *path, const file_bytes *bytes, fault *why) {
   yaml_parser_t parser;
   shape so_far = {0, 0};

@@ -1,4 +1,5 @@
-/* A YAML document as a tree, with the line of every node and faults that name it. libyaml is behind it, and only there. */
+/* A YAML document as a tree, with the line of every node and faults that name it. libyaml is behind it, and only
+ * there. */
 #ifndef QUARTER_HOST_TREE_H
 #define QUARTER_HOST_TREE_H
 
@@ -15,8 +16,8 @@ typedef struct {
 
 typedef const struct yaml_node_s tree_node;
 
-/* Parse bytes that hold exactly one document, whose root is a mapping, and that libyaml would not take minutes for. 0, or
- * -1 with *fault set and nothing to free. */
+/* Parse bytes that hold exactly one document, whose root is a mapping, and that libyaml would not take minutes for. 0,
+ * or -1 with *fault set and nothing to free. */
 int tree_read(tree *yaml, const char *path, const file_bytes *bytes, fault *why);
 void tree_free(tree *yaml);
 

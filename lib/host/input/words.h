@@ -1,6 +1,5 @@
-/* What users call the settings of a mission and of its learning: in mission files, on command lines, in reports; objectives
- * bring their own (qtr_objective_names). Each list is
- * in the order of its enum and ended by NULL. */
+/* What users call the settings of a mission and of its learning: in mission files, on command lines, in reports;
+ * objectives bring their own (qtr_objective_names). Each list is in the order of its enum and ended by NULL. */
 #ifndef QUARTER_HOST_WORDS_H
 #define QUARTER_HOST_WORDS_H
 

@@ -29,8 +29,8 @@ void aggregate_default(aggregate_config *config);
 bool aggregate_by_regions(int way);
 bool aggregate_by_spots(int way);
 
-/* Divide a mission's map as the way does, or by regions where it does not, in qtr_regions_scratch_bytes() of scratch. As
- * qtr_regions_build() returns. */
+/* Divide a mission's map as the way does, or by regions where it does not, in qtr_regions_scratch_bytes() of scratch.
+ * As qtr_regions_build() returns. */
 int aggregate_divide(qtr_regions *regions, const aggregate_config *config, const qtr_mission *mission,
                      const memory_block *scratch);
 

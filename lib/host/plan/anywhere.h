@@ -17,10 +17,10 @@ typedef struct {
   double median_loss, worst_loss; /* of the objective, relative; 0.01 is one per cent */
 } anywhere_report;
 
-/* Learn the table that the settings ask for and write it to newly allocated `*bytes`, which the caller frees. The study has
- * been read and learnt for the mission's own starts. A stop leaves out the
- * games that were not learnt yet: there robots go by their rule. Returns the table's size, or 0 with *why set: it would not
- * fit, or it was not begun before a stop. */
+/* Learn the table that the settings ask for and write it to newly allocated `*bytes`, which the caller frees. The study
+ * has been read and learnt for the mission's own starts. A stop leaves out the games that were not learnt yet: there
+ * robots go by their rule. Returns the table's size, or 0 with *why set: it would not fit, or it was not begun before a
+ * stop. */
 uint32_t anywhere_learn(study *s, const plan_config *config, uint8_t **bytes, anywhere_report *report, fault *why);
 
 #endif

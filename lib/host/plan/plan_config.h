@@ -25,8 +25,8 @@ typedef struct {
   bool quiet;                 /* no progress on the terminal */
 } plan_config;
 
-/* Everything as the input says, learnt in the certified setting on the true map; tables of 4 MB at most. Regions are of 25
- * cells and 15 steps, spots of 5 places and 25 steps, should they be asked for. */
+/* Everything as the input says, learnt in the certified setting on the true map; tables of 4 MB at most. Regions are of
+ * 25 cells and 15 steps, spots of 5 places and 25 steps, should they be asked for. */
 void plan_config_default(plan_config *config);
 
 /* Whether the settings go together; what concerns a single part, that part refuses. 0, or -1 with *why set. */

@@ -18,8 +18,8 @@ typedef struct {
 /* Read the input `path` and override it, all but the travel times. 0, or -1 with *why set. */
 int problem_load(problem *p, const char *path, const plan_config *config, fault *why);
 
-/* Set its game up: the elemental tasks. Places that no seeker can reach are an error that names them, or are left out if
- * the settings say so. The input's notes are printed. 0, or -1 with *why set. */
+/* Set its game up: the elemental tasks. Places that no seeker can reach are an error that names them, or are left out
+ * if the settings say so. The input's notes are printed. 0, or -1 with *why set. */
 int problem_measure(problem *p, const plan_config *config, fault *why);
 
 /* Free cells of the map. */

@@ -60,8 +60,8 @@ typedef struct {
 /* Everybody on time from the table's starts, nothing cleared, no target. */
 void simulation_config_default(simulation_config *config);
 
-/* Play a game out, from where the deployment, made of the config, says. 0, or -1 with *why set: something that does not fit
- * the table, or no memory. */
+/* Play a game out, from where the deployment, made of the config, says. 0, or -1 with *why set: something that does not
+ * fit the table, or no memory. */
 int simulation_run(simulation *s, const table *t, const qtr_deployment *deployment, const simulation_config *config,
                    fault *why);
 

@@ -35,8 +35,8 @@ int study_divide(study *s, const aggregate_config *how, fault *why) {
   return fault_set(why, "%s: its regions: %s", s->p.in.path, qtr_strerror(status));
 }
 
-/* The ground has the mission's own rule, but under an aggregate: its policy is played on the ground by the free one, whatever
- * the rule that it was learnt by. */
+/* The ground has the mission's own rule, but under an aggregate: its policy is played on the ground by the free one,
+ * whatever the rule that it was learnt by. */
 static void set_ground_rule(study *s) {
   s->p.game.board.rule = s->aggregated ? QTR_RULE_FREE : s->p.in.mission.rule;
 }

@@ -28,13 +28,13 @@ void study_drop(study *s); /* NULL does nothing */
 /* Divide the map into regions. 0, or -1 with *why set, or QTR_ERR_STOPPED. */
 int study_divide(study *s, const aggregate_config *how, fault *why);
 
-/* Begin to learn the measured problem `s->p` anew; may be called again with other settings. There is a first plan then, also
- * after a stop: one on the true map, if the aggregate was not ready. 0, or -1 with *why set. */
+/* Begin to learn the measured problem `s->p` anew; may be called again with other settings. There is a first plan then,
+ * also after a stop: one on the true map, if the aggregate was not ready. 0, or -1 with *why set. */
 int study_begin(study *s, const plan_config *config, fault *why);
 
-/* Learn a little more (qtr_learner_step()). The Q-table is given more memory ahead of what the step can learn; where there is
- * none left, learning goes on with what it has, as it does with a table that is full by the build's sizes: what is proven
- * stays so, and the gap closes slower. */
+/* Learn a little more (qtr_learner_step()). The Q-table is given more memory ahead of what the step can learn; where
+ * there is none left, learning goes on with what it has, as it does with a table that is full by the build's sizes:
+ * what is proven stays so, and the gap closes slower. */
 enum qtr_learning study_step(study *s);
 
 #endif

@@ -19,8 +19,8 @@ typedef struct {
 
 table_certificate table_certificate_of(const qtr_policy *policy);
 
-/* How near to the optimum a plan is known to be: "certified optimal to 0.001%". `negligible`: places that count for so little
- * that nothing is certified of their order. */
+/* How near to the optimum a plan is known to be: "certified optimal to 0.001%". `negligible`: places that count for so
+ * little that nothing is certified of their order. */
 void certificate_tell(FILE *out, bool certified, double gap, int negligible);
 
 #endif

@@ -5,9 +5,9 @@
 #include "host/base/fault.h"
 #include "host/table/robot_sizes.h"
 
-/* Set those of `sizes` that `path` states by `#define QTR_MAX_CELLS 400` and the like; the others stay. It is not compiled: a size that
- * is no plain number, is stated twice or stands under a condition is refused, and so are a file that states none and one that
- * includes others of its own, for they might. 0, or -1 with *why set. */
+/* Set those of `sizes` that `path` states by `#define QTR_MAX_CELLS 400` and the like; the others stay. It is not
+ * compiled: a size that is no plain number, is stated twice or stands under a condition is refused, and so are a file
+ * that states none and one that includes others of its own, for they might. 0, or -1 with *why set. */
 int config_header_read(robot_sizes *sizes, const char *path, fault *why);
 
 #endif

@@ -5,8 +5,8 @@
 
 const robot_processor robot_processor_32_bits = {.pointer = 4, .alignment = 8};
 
-/* A structure under way: members are put behind one another, each at a multiple of its alignment. tests/host holds what comes of
- * it against sizeof, under several sizes, and tests/firmware on the boards' own compilers. */
+/* A structure under way: members are put behind one another, each at a multiple of its alignment. tests/host holds what
+ * comes of it against sizeof, under several sizes, and tests/firmware on the boards' own compilers. */
 typedef struct {
   const robot_processor *processor;
   uint64_t end;

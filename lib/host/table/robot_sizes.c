@@ -1,5 +1,5 @@
-/* config.h as a build sees it that chooses the robots' profile and nothing else. Its numbers alone are taken: its types are not
- * this build's. */
+/* config.h as a build sees it that chooses the robots' profile and nothing else. Its numbers alone are taken: its types
+ * are not this build's. */
 #undef QTR_CONFIG_HEADER
 #undef QTR_MAX_CELLS
 #undef QTR_MAX_PLACES

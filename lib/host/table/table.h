@@ -24,11 +24,12 @@ typedef struct {
   qtr_steps step[QTR_MAX_PLACES];
 } table_route;
 
-/* Read and open a table, and hold it against its own map (table_check.h). 0, or -1 with *why set and nothing to free. */
+/* Read and open a table, and hold it against its own map (table_check.h). 0, or -1 with *why set and nothing to
+ * free. */
 int table_read(table *t, const char *path, fault *why);
 
-/* Open `t->bytes`, which the caller has filled, without a look at the map: for who has just made them. QTR_OK, or an error of
- * qtr_policy_open() or qtr_policy_check(). */
+/* Open `t->bytes`, which the caller has filled, without a look at the map: for who has just made them. QTR_OK, or an
+ * error of qtr_policy_open() or qtr_policy_check(). */
 int table_open_bytes(table *t);
 
 void table_free(table *t);
@@ -37,8 +38,8 @@ void table_free(table *t);
 unsigned table_number(const table *t, unsigned place);
 int table_place(const table *t, unsigned number);
 
-/* Column and row of one of the table's cells on the map that it was learnt on, of which it holds a part; and the cell of those,
- * QTR_NO_CELL outside that part. */
+/* Column and row of one of the table's cells on the map that it was learnt on, of which it holds a part; and the cell
+ * of those, QTR_NO_CELL outside that part. */
 unsigned table_column(const table *t, qtr_cell cell);
 unsigned table_row(const table *t, qtr_cell cell);
 qtr_cell table_cell(const table *t, int column, int row);
@@ -49,8 +50,8 @@ double table_probability(const table *t, unsigned place);
 /* The nominal routes of all seekers, `routes` one for each. Returns how many choices were made off the table. */
 uint32_t table_routes(const table *t, table_route *routes);
 
-/* A row of the table's grid as text, '#' blocked, '.' free, 2 to 9 the steps that slow ground takes (9 or more), into `text`,
- * which holds a character more than columns. Returns it. */
+/* A row of the table's grid as text, '#' blocked, '.' free, 2 to 9 the steps that slow ground takes (9 or more), into
+ * `text`, which holds a character more than columns. Returns it. */
 const char *table_grid_row(char *text, const qtr_grid *grid, unsigned row);
 
 /* The same of the map that it was learnt on, '#' also where the table holds nothing. */

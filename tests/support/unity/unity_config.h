@@ -1,5 +1,5 @@
-/* What Unity is told before it defines anything: QUARTER_TEST_ONLY=NAME in the environment runs the test functions alone that
- * have NAME in theirs. */
+/* What Unity is told before it defines anything: QUARTER_TEST_ONLY=NAME in the environment runs the test functions
+ * alone that have NAME in theirs. */
 #ifndef QUARTER_TESTS_UNITY_CONFIG_H
 #define QUARTER_TESTS_UNITY_CONFIG_H
 
