@@ -8,7 +8,7 @@
 #include "robot/layout.h"
 
 /* Bytes of a format's header; 0 for a format that this build does not read. */
-static uint32_t header_bytes_of(uint32_t format) {
+static uint32_t header_bytes_of(unsigned format) {
   if (is_format_1(format)) {
     return QTR_POLICY_HEADER_1;
   }
@@ -24,7 +24,7 @@ static int read_format(qtr_policy *policy, uint32_t size) {
   if (size < QTR_POLICY_COLUMNS) {
     return QTR_ERR_TRUNCATED;
   }
-  const uint32_t format = qtr_load16(bytes + QTR_POLICY_VERSION);
+  const unsigned format = (unsigned)qtr_load16(bytes + QTR_POLICY_VERSION);
   policy->format = (uint8_t)format;
   policy->size = qtr_load32(bytes + QTR_POLICY_SIZE);
   return (header_bytes_of(format) > 0u) ? QTR_OK : QTR_ERR_FORMAT;
