@@ -27,7 +27,8 @@ typedef struct {
   bool off_table;
 } qtr_move;
 
-/* Play the next choice of the joint game, in nominal time. False, with only `passed` written: the game is over. */
+/* Play the next choice of the joint game, in nominal time. False: the game is over; `passed` is
+ * the time until then, `seeker` QTR_NOBODY, and the rest is not written. */
 bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move);
 
 /* Play the joint game on in nominal time until `seeker` makes its next choice. Returns that choice, or QTR_STAND_DOWN

@@ -64,7 +64,8 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
  * takes a place for blocked that it has no way to, and comes to an end. */
 int qtr_policy_check(const qtr_policy *policy);
 
-/* Where the table's grid lies in the world. */
+/* Where the table's grid lies in the world, read from the table at each call; a cell_size_um of 0: the map has no
+ * metres. */
 qtr_frame qtr_policy_frame(const qtr_policy *policy);
 
 /* The cell of a node: of place p for p < places, of start s for places + s; QTR_NO_CELL if there is no such node,

@@ -1,4 +1,5 @@
-/* Sets of 32-bit words as bytes: member i is bit i % 8 of byte i / 8. */
+/* Sets of 32-bit words from the inside: a member that is known to be one, and the whole set as bytes, in which member
+ * i is bit i % 8 of byte i / 8. */
 #ifndef QUARTER_BITS_H
 #define QUARTER_BITS_H
 
@@ -7,7 +8,8 @@
 
 #include "quarter/places.h"
 
-/* qtr_places_has() and its like, of a place that is known to be one. */
+/* qtr_places_has() and its like without their question, which costs more than the answer: the place is one of the
+ * build's. */
 static inline uint32_t place_bit(unsigned place) {
   return (uint32_t)1 << ((QTR_MAX_PLACES > 32) ? (place % 32u) : place);
 }

@@ -5,6 +5,9 @@
 #include "quarter/status.h"
 #include "robot/bits.h"
 
+/* A policy has room for as many offsets as there are sections, or this does not compile. */
+typedef char sections_are_as_many[(SECTION_NUMBERS + 1 == QTR_POLICY_SECTIONS) ? 1 : -1];
+
 /* A header may claim any number of records, and what they take must not wrap around into a size that fits. The upper
  * half of the count tells: 0xF000 * 2^16 and what the lower half adds to it, of records below 4 kB, are less than
  * 2^32. */
