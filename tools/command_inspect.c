@@ -100,14 +100,31 @@ static identity identity_of(const table *t) {
   return i;
 }
 
+/* Where the map lies: in metres, and on the globe. */
+static void write_frame(json *j, const table *t) {
+  const qtr_frame frame = qtr_policy_frame(&t->policy);
+  double x, y;
+  table_map_origin(t, &x, &y);
+  if (frame.cell_size_um > 0) {
+    json_number(j, "cell_size", frame.cell_size_um / 1e6);
+    json_number(j, "origin_x", x);
+    json_number(j, "origin_y", y);
+    if (frame.sine != 0 || frame.cosine < 0) json_number(j, "yaw", round(1e8 * atan2(frame.sine, frame.cosine)) / 1e8);
+  }
+  if (!t->geo.given) return;
+  json_flat_object(j, "geo");
+  json_number(j, "latitude", (double)t->geo.latitude / (double)QTR_GEO_ONE);
+  json_number(j, "longitude", (double)t->geo.longitude / (double)QTR_GEO_ONE);
+  json_number(j, "yaw", (double)t->geo.yaw / (double)QTR_GEO_ONE);
+  json_end_object(j);
+}
+
 static void write_json(FILE *out, const void *what) {
   const inspection *i = what;
   const table *t = &i->t;
   const table_certificate c = table_certificate_of(&t->policy);
   char version[40];
-  double x, y;
   json j;
-  table_map_origin(t, &x, &y);
   snprintf(version, sizeof version, "%u.%u.%u", c.version[0], c.version[1], c.version[2]);
   json_begin(&j, out);
   json_object(&j, NULL);
@@ -119,13 +136,7 @@ static void write_json(FILE *out, const void *what) {
   json_string(&j, "identity", identity_of(t).text);
   json_integer(&j, "columns", t->claim.map_columns);
   json_integer(&j, "rows", t->claim.map_rows);
-  const qtr_frame frame = qtr_policy_frame(&t->policy);
-  if (frame.cell_size_um > 0) {
-    json_number(&j, "cell_size", frame.cell_size_um / 1e6);
-    json_number(&j, "origin_x", x);
-    json_number(&j, "origin_y", y);
-    if (frame.sine != 0 || frame.cosine < 0) json_number(&j, "yaw", round(1e8 * atan2(frame.sine, frame.cosine)) / 1e8);
-  }
+  write_frame(&j, t);
   json_integer(&j, "places", t->policy.board.places);
   json_integer(&j, "robots", t->policy.board.seekers);
   json_string(&j, "objective", qtr_objective_names[c.objective]);

@@ -111,11 +111,11 @@ static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *
 }
 
 /* Behind what a robot reads. */
-static int add_names(file_bytes *bytes, const char *mission, fault *why) {
-  const uint32_t more = qtr_names_size(mission);
+static int add_names(file_bytes *bytes, const input *in, fault *why) {
+  const uint32_t more = qtr_names_size(in->name, &in->geo);
   uint8_t *larger = realloc(bytes->data, bytes->size + more);
   if (larger == NULL) return fault_set(why, "no memory for the table");
-  qtr_names_write(larger + bytes->size, mission);
+  qtr_names_write(larger + bytes->size, in->name, &in->geo);
   bytes->data = larger;
   bytes->size += more;
   return 0;
@@ -127,7 +127,7 @@ static int write_table(report *r, const options *o, fault *why) {
   const uint32_t size = make_table(r, o, &t.bytes.data, why);
   if (size == 0) return -1;
   t.bytes.size = size;
-  if (add_names(&t.bytes, learnt->p.in.name, why) != 0) {
+  if (add_names(&t.bytes, &learnt->p.in, why) != 0) {
     table_free(&t);
     return -1;
   }

@@ -1,6 +1,5 @@
 #include "quarter/names.h"
 
-#include <stdbool.h>
 #include <stddef.h>
 
 #include "core/bytes.h"
@@ -9,20 +8,50 @@
 
 /* "QTRH", u16 version, u16 0, u32 bytes in all, u32 CRC-32 of the entries; then entries: u16 what, u16 length, as many
  * bytes. Entries of a later version are passed over. */
-enum { MAGIC = 4, VERSION = 1, SIZE_AT = 8, CRC_AT = 12, HEAD = 16, ENTRY = 4, MISSION_NAME = 1 };
+enum {
+  MAGIC = 4,
+  VERSION = 1,
+  SIZE_AT = 8,
+  CRC_AT = 12,
+  HEAD = 16,
+  ENTRY = 4,
+  MISSION_NAME = 1,
+  GEOGRAPHIC_ORIGIN = 2,
+  ORIGIN_BYTES = 24
+};
 
 /* A name that is cut would be another name: one that is too long is left out whole. */
-uint32_t qtr_names_size(const char *mission) {
+static uint32_t length_of(const char *name) {
   uint32_t length = 0;
-  while ((length < QTR_NAME_BYTES) && (mission[length] != '\0')) {
+  while ((length < QTR_NAME_BYTES) && (name[length] != '\0')) {
     length++;
   }
-  return ((length == 0u) || (length >= QTR_NAME_BYTES)) ? 0 : (HEAD + ENTRY + length);
+  return (length < QTR_NAME_BYTES) ? length : 0u;
+}
+
+uint32_t qtr_names_size(const char *mission, const qtr_geo *geo) {
+  const uint32_t length = length_of(mission);
+  uint32_t size = HEAD;
+  if (length > 0u) {
+    size += ENTRY + length;
+  }
+  if (geo->given) {
+    size += (uint32_t)ENTRY + ORIGIN_BYTES;
+  }
+  return (size > (uint32_t)HEAD) ? size : 0u;
+}
+
+/* The head of an entry; where its bytes go. */
+static uint8_t *begin_entry(uint8_t *at, uint32_t what, uint32_t length) {
+  qtr_store16(at, what);
+  qtr_store16(at + 2u, length);
+  return at + ENTRY;
 }
 
 /* The sum is over the entries, so that a torn write behind the table is seen without a look at the table. */
-void qtr_names_write(uint8_t *bytes, const char *mission) {
-  const uint32_t size = qtr_names_size(mission);
+void qtr_names_write(uint8_t *bytes, const char *mission, const qtr_geo *geo) {
+  const uint32_t size = qtr_names_size(mission, geo);
+  const uint32_t length = length_of(mission);
   if (size == 0u) {
     return;
   }
@@ -30,9 +59,18 @@ void qtr_names_write(uint8_t *bytes, const char *mission) {
   bytes_copy(bytes, "QTRH", MAGIC);
   qtr_store16(bytes + MAGIC, VERSION);
   qtr_store32(bytes + SIZE_AT, size);
-  qtr_store16(bytes + HEAD, MISSION_NAME);
-  qtr_store16(bytes + HEAD + 2u, size - HEAD - ENTRY);
-  bytes_copy(bytes + HEAD + ENTRY, mission, size - HEAD - ENTRY);
+  uint8_t *at = bytes + HEAD;
+  if (length > 0u) {
+    at = begin_entry(at, MISSION_NAME, length);
+    bytes_copy(at, mission, length);
+    at = &at[length];
+  }
+  if (geo->given) {
+    at = begin_entry(at, GEOGRAPHIC_ORIGIN, ORIGIN_BYTES);
+    qtr_store64(at, (uint64_t)geo->latitude);
+    qtr_store64(at + 8u, (uint64_t)geo->longitude);
+    qtr_store64(at + 16u, (uint64_t)geo->yaw);
+  }
   qtr_store32(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
@@ -42,18 +80,38 @@ static bool is_whole(const uint8_t *bytes, uint32_t size) {
          (qtr_load32(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 
-/* Into an array of QTR_NAME_BYTES. */
-static void take(char *mission, uint32_t what, const uint8_t *text, uint32_t length) {
-  if ((what != MISSION_NAME) || (length >= QTR_NAME_BYTES)) {
-    return;
+static bool is_within(int64_t value, int64_t most) {
+  return (value >= -most) && (value <= most);
+}
+
+static bool take_origin(qtr_geo *geo, const uint8_t *bytes, uint32_t length) {
+  if (length != (uint32_t)ORIGIN_BYTES) {
+    return false;
   }
-  bytes_copy(mission, text, length);
-  mission[length] = '\0';
+  geo->given = true;
+  geo->latitude = (int64_t)qtr_load64(bytes);
+  geo->longitude = (int64_t)qtr_load64(bytes + 8u);
+  geo->yaw = (int64_t)qtr_load64(bytes + 16u);
+  return is_within(geo->latitude, 90 * QTR_GEO_ONE) && is_within(geo->longitude, 180 * QTR_GEO_ONE) &&
+         is_within(geo->yaw, QTR_GEO_TURN);
+}
+
+/* Whether an entry is sound; one that is not known is. The name goes into an array of QTR_NAME_BYTES. */
+static bool take(char *mission, qtr_geo *geo, uint32_t what, const uint8_t *bytes, uint32_t length) {
+  if (what == (uint32_t)GEOGRAPHIC_ORIGIN) {
+    return take_origin(geo, bytes, length);
+  }
+  if ((what == (uint32_t)MISSION_NAME) && (length < QTR_NAME_BYTES)) {
+    bytes_copy(mission, bytes, length);
+    mission[length] = '\0';
+  }
+  return true;
 }
 
 /* Each length is held against what is left before it is used, so that no bytes lead outside. */
-int qtr_names_read(char *mission, const uint8_t *bytes, uint32_t size) {
+int qtr_names_read(char *mission, qtr_geo *geo, const uint8_t *bytes, uint32_t size) {
   mission[0] = '\0';
+  bytes_clear(geo, (uint32_t)sizeof *geo);
   if (size == 0u) {
     return QTR_OK;
   }
@@ -65,7 +123,9 @@ int qtr_names_read(char *mission, const uint8_t *bytes, uint32_t size) {
       return QTR_ERR_CORRUPT;
     }
     const uint32_t length = qtr_load16(bytes + at + 2u);
-    take(mission, qtr_load16(bytes + at), bytes + at + ENTRY, length);
+    if (!take(mission, geo, qtr_load16(bytes + at), bytes + at + ENTRY, length)) {
+      return QTR_ERR_CORRUPT;
+    }
     at += ENTRY + length;
   }
   return QTR_OK;

@@ -110,27 +110,64 @@ static void test_division_of_any_deployment_ends(void) {
   }
 }
 
-/* Behind the robot's part: any bytes, and names of any length. */
+static int64_t any_angle(test_random *random, int64_t most) {
+  return (int64_t)random_below(random, 2u * (uint32_t)(most / QTR_GEO_ONE) + 1u) * QTR_GEO_ONE - most;
+}
+
+/* Given or not. */
+static qtr_geo any_origin(test_random *random) {
+  if (random_chance(random, 50)) return (qtr_geo){0};
+  return (qtr_geo){true, any_angle(random, 90 * QTR_GEO_ONE), any_angle(random, 180 * QTR_GEO_ONE),
+                   any_angle(random, 6 * QTR_GEO_ONE)};
+}
+
+static bool is_same_origin(const qtr_geo *a, const qtr_geo *b) {
+  return a->given == b->given && a->latitude == b->latitude && a->longitude == b->longitude && a->yaw == b->yaw;
+}
+
+/* Behind the robot's part: any bytes, names of any length, with an origin or without. */
 static void test_names_of_any_bytes(void) {
   for (unsigned number = 0; number < 2000; number++) {
     test_random random = random_case("names", number);
     char mission[QTR_NAME_BYTES + 40];
     char read[QTR_NAME_BYTES];
-    uint8_t bytes[QTR_NAME_BYTES + 60];
+    uint8_t bytes[QTR_NAME_BYTES + 80];
+    qtr_geo geo = any_origin(&random), read_geo;
     const uint32_t length = random_below(&random, QTR_NAME_BYTES + 20);
     for (uint32_t i = 0; i < length; i++) mission[i] = (char)random_in(&random, 1, 255);
     mission[length] = '\0';
-    const uint32_t size = qtr_names_size(mission);
-    TEST_ASSERT_EQUAL(length == 0 || length >= QTR_NAME_BYTES, size == 0);
-    qtr_names_write(bytes, mission);
-    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_names_read(read, bytes, size));
-    TEST_ASSERT_EQUAL_STRING(size > 0 ? mission : "", read);
+    const bool named = length > 0 && length < QTR_NAME_BYTES;
+    const uint32_t size = qtr_names_size(mission, &geo);
+    TEST_ASSERT_EQUAL(!named && !geo.given, size == 0);
+    qtr_names_write(bytes, mission, &geo);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_names_read(read, &read_geo, bytes, size));
+    TEST_ASSERT_EQUAL_STRING(named ? mission : "", read);
+    TEST_ASSERT_TRUE(is_same_origin(&geo, &read_geo));
     if (size == 0) continue;
     bytes[random_below(&random, size)] ^= (uint8_t)random_in(&random, 1, 255);
     if (random_chance(&random, 50)) qtr_store32(bytes + 12, qtr_crc32_add(0, bytes + 16, size - 16));
-    const int status = qtr_names_read(read, bytes, random_chance(&random, 80) ? size : random_in(&random, 1, size));
+    const int status =
+        qtr_names_read(read, &read_geo, bytes, random_chance(&random, 80) ? size : random_in(&random, 1, size));
     TEST_ASSERT_TRUE(status == QTR_OK || status == QTR_ERR_CORRUPT);
     TEST_ASSERT_LESS_THAN(QTR_NAME_BYTES, strlen(read));
+  }
+}
+
+/* An origin that lies nowhere on the globe is none, whatever its checksum says. */
+static void test_origins_off_the_globe_are_damage(void) {
+  static const qtr_geo off[] = {{true, 90 * QTR_GEO_ONE + 1, 0, 0},
+                                {true, 0, -180 * QTR_GEO_ONE - 1, 0},
+                                {true, 0, 0, QTR_GEO_TURN + 1},
+                                {true, INT64_MIN, 0, 0}};
+  static const qtr_geo corner = {true, -90 * QTR_GEO_ONE, 180 * QTR_GEO_ONE, QTR_GEO_TURN};
+  char name[QTR_NAME_BYTES];
+  uint8_t bytes[64];
+  qtr_geo read;
+  qtr_names_write(bytes, "", &corner);
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_names_read(name, &read, bytes, qtr_names_size("", &corner)));
+  for (unsigned i = 0; i < sizeof off / sizeof off[0]; i++) {
+    qtr_names_write(bytes, "", &off[i]);
+    TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_names_read(name, &read, bytes, qtr_names_size("", &off[i])));
   }
 }
 
@@ -164,6 +201,7 @@ int main(void) {
   RUN_TEST(test_signal_of_any_bytes);
   RUN_TEST(test_division_of_any_deployment_ends);
   RUN_TEST(test_names_of_any_bytes);
+  RUN_TEST(test_origins_off_the_globe_are_damage);
   RUN_TEST(test_tables_say_what_they_are_of);
   return UNITY_END();
 }

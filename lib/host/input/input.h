@@ -10,6 +10,7 @@
 #include "host/base/fault.h"
 #include "host/base/notes.h"
 #include "quarter/mission.h"
+#include "quarter/names.h"
 
 #define INPUT_PATH_SIZE 4096
 #define INPUT_NAME_SIZE 128
@@ -41,6 +42,7 @@ typedef struct {
 typedef struct {
   qtr_mission mission;
   input_frame frame;          /* as positions are stated; mission.frame is the same one as a table holds it */
+  qtr_geo geo;                /* where the frame lies on the globe */
   char path[INPUT_PATH_SIZE]; /* the input itself */
   char map[INPUT_PATH_SIZE];  /* the map: the input again, or what the mission names */
   char csv[INPUT_PATH_SIZE];  /* the mission's places_csv; empty: none */

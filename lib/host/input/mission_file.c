@@ -8,14 +8,15 @@
 #include "host/input/decode.h"
 #include "host/input/drawing.h"
 #include "host/input/foreign.h"
+#include "host/input/geo.h"
 #include "host/input/kind.h"
 #include "host/input/movingai.h"
 #include "host/input/rosmap.h"
 #include "host/input/sites.h"
 #include "host/input/words.h"
 
-static tree_keys KEYS = {"map",        "cell_size", "robot_radius", "unknown", "robots", "places",
-                         "places_csv", "objective", "gamma",        "rule",    "name",   NULL};
+static tree_keys KEYS = {"map",       "cell_size", "robot_radius", "unknown", "robots", "places", "places_csv",
+                         "objective", "gamma",     "rule",         "name",    "geo",    NULL};
 static const char *const WHAT = "the mission";
 
 /* ---- what to learn ---- */
@@ -256,7 +257,7 @@ int mission_file_read(input *in, tree *yaml, const input_options *options) {
   tree_node *root = tree_root(yaml);
   if (tree_check_keys(yaml, root, WHAT, KEYS, false)) return -1;
   if (read_game(in, yaml, root) || read_name(in, yaml, root)) return -1;
-  if (read_map(in, yaml, root, options) || read_robots(in, yaml, root)) return -1;
+  if (read_map(in, yaml, root, options) || geo_read(in, yaml, root) || read_robots(in, yaml, root)) return -1;
   if (read_places(in, yaml, root) || read_csv(in, yaml, root)) return -1;
   if (in->mission.places > 0) return 0;
   return file_fault(yaml->why, yaml->path, 0, 0,

@@ -23,13 +23,14 @@ int table_open_bytes(table *t) {
   int status = qtr_policy_open(&t->policy, t->bytes.data, (uint32_t)t->bytes.size);
   if (status == QTR_OK) status = qtr_policy_check(&t->policy);
   t->name[0] = '\0';
+  t->geo = (qtr_geo){0};
   if (status == QTR_OK) qtr_claim_read(&t->claim, &t->policy);
   return status;
 }
 
 static int read_names(table *t, const char *path, fault *why) {
   const uint32_t behind = (uint32_t)t->bytes.size - t->policy.size;
-  if (qtr_names_read(t->name, t->bytes.data + t->policy.size, behind) == QTR_OK) return 0;
+  if (qtr_names_read(t->name, &t->geo, t->bytes.data + t->policy.size, behind) == QTR_OK) return 0;
   return fault_set(why, "%s: what stands behind the table is damaged; %s", path, mend_of(QTR_ERR_CHECKSUM));
 }
 

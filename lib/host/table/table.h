@@ -15,6 +15,7 @@ typedef struct {
   qtr_policy policy;         /* views into `bytes` */
   qtr_claim claim;           /* as well */
   char name[QTR_NAME_BYTES]; /* of the mission; empty: the table has none */
+  qtr_geo geo;               /* where its map lies on the globe, if the mission said */
 } table;
 
 /* One seeker's part of the nominal game. */
