@@ -20,6 +20,7 @@ static const char help[] =
     "quarter tune mission.yaml                     which aggregation loses least on the ground\n"
     "quarter belief mission.yaml --history g.csv   likelihoods from where targets were found\n"
     "quarter exact mission.yaml                    the exact optimum of a small mission, for checking\n"
+    "quarter keys                                  every key that a mission may have\n"
     "\n"
     "'quarter COMMAND --help' tells more; 'quarter --version' the version.\n"
     "\n"
@@ -32,7 +33,7 @@ static const struct {
   int (*run)(int argc, char **argv);
 } commands[] = {{"learn", command_learn},     {"exact", command_exact}, {"simulate", command_simulate},
                 {"inspect", command_inspect}, {"draw", command_draw},   {"tune", command_tune},
-                {"belief", command_belief}};
+                {"belief", command_belief},   {"keys", command_keys}};
 
 static void refuse_command(const char *word) {
   enum { COUNT = sizeof commands / sizeof commands[0] };

@@ -334,3 +334,10 @@ int options_parse(options *o, const option_set *set, int argc, char **argv, faul
   o->input = argv[optind];
   return 0;
 }
+
+int options_parse_alone(options *o, const option_set *set, int argc, char **argv, fault *why) {
+  options_default(o);
+  if (option_parse(o, set, argc, argv, why) != 0) return -1;
+  if (o->help || optind == argc) return 0;
+  return fault_set(why, "%s: takes no input, and '%s' is one", set->name, argv[optind]);
+}

@@ -60,4 +60,7 @@ void options_default(options *o);
 /* Parse the words after the command. 0, or -1 with *why set. */
 int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why);
 
+/* The same for a command that reads no input. */
+int options_parse_alone(options *o, const option_set *set, int argc, char **argv, fault *why);
+
 #endif

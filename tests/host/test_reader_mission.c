@@ -125,7 +125,7 @@ static void test_lengths_need_a_map_with_metres(void) {
 static void test_mistyped_and_doubled_keys(void) {
   refuse("mpa: a.txt\n", "m.yaml:1", "unknown key 'mpa' of the mission", "did you mean 'map'?");
   refuse("map: a.txt\nrobot: []\n", "m.yaml:2", "unknown key 'robot'", "did you mean 'robots'?");
-  refuse("map: a.txt\nColor: red\n", "m.yaml:2", "unknown key 'Color'", "known are map, cell_size");
+  refuse("map: a.txt\nColor: red\n", "m.yaml:2", "unknown key 'Color'", "known are map, cell_size, robot_radius");
   refuse("map: a.txt\nmap: a.txt\n", "m.yaml:2", "key 'map' of the mission is there twice (first in line 1)",
          "keep one");
   refuse("map: a.txt\nrobots:\n - {column: 0, rwo: 0}\n", "m.yaml:3", "unknown key 'rwo' of robot 0",
@@ -139,8 +139,8 @@ static void test_mistyped_and_doubled_keys(void) {
 
 static void test_wrong_types_and_values(void) {
   refuse(HEAD "gamma: high\n", "m.yaml:3", "'gamma' is \"high\", which is not a number", "give a number");
-  refuse(HEAD "gamma: 1\n", "m.yaml:3", "'gamma' is 1", "between 0 and 1");
-  refuse(HEAD "gamma: 0\n", "m.yaml:3", "'gamma' is 0", "between 0 and 1");
+  refuse(HEAD "gamma: 1\n", "m.yaml:3", "'gamma' is 1", "a discount above 0 and below 1, such as 0.99");
+  refuse(HEAD "gamma: 0\n", "m.yaml:3", "'gamma' is 0", "a discount above 0 and below 1, such as 0.99");
   refuse(HEAD "gamma: .nan\n", "m.yaml:3", "not a finite number", "give a number");
   refuse(HEAD "objective: speed\n", "m.yaml:3", "'objective' is \"speed\"", "one of discounted and time");
   refuse(HEAD "rule: [free]\n", "m.yaml:3", "'rule' is a list", "one of free and paper");
@@ -161,12 +161,12 @@ static void test_wrong_types_and_values(void) {
 }
 
 static void test_weights(void) {
-  refuse(HEAD "places: [{x: 1, y: 1, weight: 0}]\n", "m.yaml:3", "the weight 0", "likelihood");
-  refuse(HEAD "places: [{x: 1, y: 1, weight: -2}]\n", "m.yaml:3", "the weight -2", "likelihood");
+  refuse(HEAD "places: [{x: 1, y: 1, weight: 0}]\n", "m.yaml:3", "'weight' is 0", "likelihood");
+  refuse(HEAD "places: [{x: 1, y: 1, weight: -2}]\n", "m.yaml:3", "'weight' is -2", "likelihood");
   refuse(HEAD "places: [{x: 1, y: 1, weight: .nan}]\n", "m.yaml:3", "not a finite number", "number");
   refuse(HEAD "places: [{x: 1, y: 1, weight: -.INF}]\n", "m.yaml:3", "not a finite number", "number");
   refuse(HEAD "places: [{x: 1, y: 1, weight: 1e999}]\n", "m.yaml:3", "too large a number", "number");
-  refuse(HEAD "places: [{x: 1, y: 1, weight: 1e-999}]\n", "m.yaml:3", "the weight 0", "likelihood");
+  refuse(HEAD "places: [{x: 1, y: 1, weight: 1e-999}]\n", "m.yaml:3", "'weight' is 0", "likelihood");
   refuse(HEAD "places: [{x: 1, y: 1, weight: 0x10}]\n", "m.yaml:3", "not a number", "number");
   refuse(HEAD "places: [{x: 1, y: 1, weight: heavy}]\n", "m.yaml:3", "'weight' is \"heavy\"", "number");
   refuse(HEAD "places: [{x: 0, y: 0, weight: 1e308}, {x: 1, y: 0, weight: 1e308}]\n", "m.yaml", "add up to more",

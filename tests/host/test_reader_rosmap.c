@@ -113,7 +113,7 @@ static void test_obstacles_grow_by_the_radius(void) {
   scratch_write_rosmap(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 0\n", MISSION("robot_radius: 0.75\n"));
   scratch_read("mission.yaml");
   scratch_expect_cells("111###|");
-  TEST_ASSERT_EQUAL_DOUBLE(0.75, scratch_input.robot_radius);
+  TEST_ASSERT_EQUAL_DOUBLE(0.75, scratch_input.ground.robot_radius);
   /* The unknown grows too, unless it is free. */
   scratch_write_rosmap(YAML("negate: 0\n"), "P2 6 1 255\n255 255 255 255 255 204\n", MISSION("robot_radius: 0.75\n"));
   scratch_read("mission.yaml");

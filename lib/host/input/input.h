@@ -24,6 +24,16 @@ typedef struct {
   double yaw; /* radians, counter-clockwise; 0: not turned */
 } input_frame;
 
+/* How the planner wants a map that has metres. */
+typedef struct {
+  double cell_size;    /* metres; 0: the map's resolution */
+  double robot_radius; /* metres by which obstacles are inflated */
+  uint8_t unknown;     /* enum input_unknown, where unknown_given */
+  bool size_given, radius_given, unknown_given;
+} input_ground;
+
+enum input_unknown { INPUT_UNKNOWN_BLOCKED, INPUT_UNKNOWN_FREE };
+
 /* A position as the user states it: x and y in metres in the map frame, or column and row. */
 typedef struct {
   bool metres;
@@ -48,7 +58,7 @@ typedef struct {
   char csv[INPUT_PATH_SIZE];  /* the mission's places_csv; empty: none */
   char name[INPUT_NAME_SIZE]; /* the mission's `name`; empty: none */
   bool objective_given, gamma_given, rule_given; /* stated in the mission file */
-  double robot_radius;                           /* metres by which obstacles were inflated */
+  input_ground ground;
   input_origin start_origin[QTR_MAX_SEEKERS];
   input_origin place_origin[QTR_MAX_PLACES];
   input_position start_position[QTR_MAX_SEEKERS]; /* as stated: they may have been moved since */

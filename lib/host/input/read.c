@@ -63,8 +63,8 @@ static int read_yaml(input *in, const file_bytes *bytes, const input_options *op
   tree_free(&yaml);
   if (!is_map) return result;
   /* Faults of the map come first: a mission would not mend them. */
-  const rosmap_wish wish = {.cell_size = options->cell_size};
-  if (rosmap_read(in, bytes, &wish, why)) return -1;
+  in->ground.cell_size = options->cell_size;
+  if (rosmap_read(in, bytes, why)) return -1;
   return needs_mission(in, "a ROS map", why);
 }
 

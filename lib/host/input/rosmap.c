@@ -139,14 +139,19 @@ static int savers_sample(const rosmap_header *header, const image *picture) {
   return image_grey(picture, header->negate && header->mode != ROSMAP_RAW ? 255 - SAVERS_GREY : SAVERS_GREY);
 }
 
-static bool is_blocked(const rosmap_header *header, int sample, const image *picture, int unknown) {
+static bool is_free_unknown(const input_ground *ground) {
+  return ground->unknown_given && ground->unknown == INPUT_UNKNOWN_FREE;
+}
+
+static bool is_blocked(const rosmap_header *header, int sample, const image *picture, const input_ground *ground) {
   const enum rosmap_class kind = rosmap_classify(header, sample, picture->maximum);
-  if (kind == ROSMAP_UNKNOWN) return unknown != ROSMAP_UNKNOWN_FREE;
-  return kind == ROSMAP_OCCUPIED || (unknown == ROSMAP_BLOCKED && sample == savers_sample(header, picture));
+  if (kind == ROSMAP_UNKNOWN) return !is_free_unknown(ground);
+  return kind == ROSMAP_OCCUPIED || (ground->unknown_given && ground->unknown == INPUT_UNKNOWN_BLOCKED &&
+                                     sample == savers_sample(header, picture));
 }
 
 /* Blocked pixels of the image. */
-static int make_pixels(pixels *map, const image *picture, const rosmap_header *header, int unknown) {
+static int make_pixels(pixels *map, const image *picture, const rosmap_header *header, const input_ground *ground) {
   size_t count = (size_t)picture->width * (size_t)picture->height, grades = (size_t)picture->maximum + 1;
   uint8_t *blocks = malloc(grades);
   map->width = picture->width;
@@ -157,21 +162,21 @@ static int make_pixels(pixels *map, const image *picture, const rosmap_header *h
     free(map->blocked);
     return -1;
   }
-  for (size_t v = 0; v < grades; v++) blocks[v] = is_blocked(header, (int)v, picture, unknown);
+  for (size_t v = 0; v < grades; v++) blocks[v] = is_blocked(header, (int)v, picture, ground);
   for (size_t i = 0; i < count; i++) map->blocked[i] = blocks[picture->samples[i]];
   for (size_t i = 0; picture->transparent != NULL && i < count; i++)
-    if (picture->transparent[i]) map->blocked[i] = unknown != ROSMAP_UNKNOWN_FREE;
+    if (picture->transparent[i]) map->blocked[i] = !is_free_unknown(ground);
   free(blocks);
   return 0;
 }
 
 /* ---- notes ---- */
 
-static void note_unknown(input *in, const image *picture, const rosmap_header *header, const rosmap_wish *wish) {
+static void note_unknown(input *in, const image *picture, const rosmap_header *header) {
   const size_t count = (size_t)picture->width * (size_t)picture->height;
   const int sample = savers_sample(header, picture);
   uint64_t greys = 0;
-  if (wish->unknown != ROSMAP_AS_THE_MAP_SAYS || sample < 0) return;
+  if (in->ground.unknown_given || sample < 0) return;
   if (rosmap_classify(header, sample, picture->maximum) != ROSMAP_FREE) return;
   for (size_t i = 0; i < count; i++)
     greys += picture->samples[i] == sample && (picture->transparent == NULL || !picture->transparent[i]);
@@ -183,8 +188,8 @@ static void note_unknown(input *in, const image *picture, const rosmap_header *h
             greys == 1 ? "it" : "them");
 }
 
-static void note_points(input *in, const rosmap_header *header, const rosmap_wish *wish) {
-  if (wish->radius_given || wish->cell_size > 0.0) return;
+static void note_points(input *in, const rosmap_header *header) {
+  if (in->ground.radius_given || in->ground.cell_size > 0.0) return;
   notes_add(&in->note,
             "%s: no robot_radius and no cell_size are given: robots are points, and cells the map's pixels of %g m; "
             "\"robot_radius: 0.2\" in the mission keeps robots of 0.2 m clear of the walls",
@@ -218,27 +223,28 @@ static bool any_free(const uint8_t *blocked, size_t count) {
 }
 
 /* Grow and coarsen. -1 with *fault set, also where nothing is left free: then who took the last of it is named. */
-static int fill_cells(input *in, pixels *map, const rosmap_header *header, const rosmap_wish *wish, fault *why) {
+static int fill_cells(input *in, pixels *map, const rosmap_header *header, fault *why) {
+  const input_ground *ground = &in->ground;
   qtr_mission *mission = &in->mission;
   const size_t count = (size_t)map->width * (size_t)map->height, cells = qtr_mission_cells(mission);
   if (!any_free(map->blocked, count))
     return file_fault(why, header->image, 0, 0,
                       "no pixel is free by the thresholds of %s; check them, 'negate', and that it is the right image",
                       file_short_path(in->map));
-  if (pixels_grow(map, wish->robot_radius / header->resolution) != 0)
+  if (pixels_grow(map, ground->robot_radius / header->resolution) != 0)
     return file_fault(why, header->image, 0, 0, "no memory for its pixels; scale the map down");
   if (!any_free(map->blocked, count))
     return file_fault(
         why, in->path, 0, 0,
         "no cell is left free: the robot_radius of %g m is larger than the free space; choose a smaller one",
-        wish->robot_radius);
+        ground->robot_radius);
   if (pixels_coarsen(mission->cost, mission->columns, mission->rows, map, in->frame.cell_size / header->resolution))
     return file_fault(why, header->image, 0, 0, "no memory for its pixels; scale the map down");
   if (memchr(mission->cost, 1, cells) != NULL) return 0;
   return file_fault(why, in->path, 0, 0,
                     "no cell is left free: cells of %g m are larger than the free space%s; choose a smaller cell_size "
                     "(the map's pixels are %g m)",
-                    in->frame.cell_size, wish->robot_radius > 0.0 ? " that the robot_radius leaves" : "",
+                    in->frame.cell_size, ground->robot_radius > 0.0 ? " that the robot_radius leaves" : "",
                     header->resolution);
 }
 
@@ -247,28 +253,27 @@ static double settle_yaw(double yaw, const image *picture) {
   return fabs(yaw) * hypot(picture->width, picture->height) < 0.01 ? 0.0 : yaw;
 }
 
-static int plan_cells(input *in, const image *picture, const rosmap_header *header, const rosmap_wish *wish,
-                      fault *why) {
+static int plan_cells(input *in, const image *picture, const rosmap_header *header, fault *why) {
+  const input_ground *ground = &in->ground;
   qtr_mission *mission = &in->mission;
-  double size = wish->cell_size > 0.0 ? wish->cell_size : header->resolution, ratio = size / header->resolution;
+  double size = ground->cell_size > 0.0 ? ground->cell_size : header->resolution, ratio = size / header->resolution;
   double columns = pixels_cells(picture->width, ratio), rows = pixels_cells(picture->height, ratio);
   if (check_size(in, picture, header->resolution, columns, rows, why)) return -1;
   mission->columns = (uint16_t)columns;
   mission->rows = (uint16_t)rows;
   in->frame = (input_frame){true, size, header->origin[0], header->origin[1], settle_yaw(header->origin[2], picture)};
-  in->robot_radius = wish->robot_radius;
-  note_unknown(in, picture, header, wish);
-  note_points(in, header, wish);
+  note_unknown(in, picture, header);
+  note_points(in, header);
   in->map_notes = in->note.count;
   pixels map;
-  if (make_pixels(&map, picture, header, wish->unknown) != 0)
+  if (make_pixels(&map, picture, header, ground) != 0)
     return file_fault(why, header->image, 0, 0, "no memory for its pixels; scale the map down");
-  int result = fill_cells(in, &map, header, wish, why);
+  int result = fill_cells(in, &map, header, why);
   free(map.blocked);
   return result;
 }
 
-int rosmap_read(input *in, const file_bytes *bytes, const rosmap_wish *wish, fault *why) {
+int rosmap_read(input *in, const file_bytes *bytes, fault *why) {
   rosmap_header header;
   file_bytes image_bytes;
   image picture;
@@ -280,7 +285,7 @@ int rosmap_read(input *in, const file_bytes *bytes, const rosmap_wish *wish, fau
   int result = decode_image(&picture, header.image, &image_bytes, alpha_of[header.mode], why);
   file_free(&image_bytes);
   if (result != 0) return -1;
-  result = plan_cells(in, &picture, &header, wish, why);
+  result = plan_cells(in, &picture, &header, why);
   image_free(&picture);
   return result;
 }

@@ -7,6 +7,11 @@
  * - scale: between the thresholds p is scaled to 0..100. What rounds to 0 is free, all above counts as occupied here:
  *   the planner knows no half-free cell, and `unknown: free` must not open it.
  * - raw: v * 255 / maximum, rounded, is the occupancy: 0 free, 1..100 occupied here, above 100 unknown. No negate.
+ *
+ * Unknown pixels are free, or they are obstacles and grow like them. The grey that map savers write for unknown ground,
+ * 205 of 255, is free by the rule above where `free_thresh` is 0.25, which they write beside it today. Where a mission
+ * says nothing of unknown ground it is free then, and a note says so. Where it says `blocked`, that grey is unknown all
+ * the same.
  */
 #ifndef QUARTER_HOST_ROSMAP_H
 #define QUARTER_HOST_ROSMAP_H
@@ -16,19 +21,6 @@
 #include "host/base/file.h"
 #include "host/input/input.h"
 #include "host/input/tree.h"
-
-/* How the planner wants the map. */
-typedef struct {
-  double cell_size;    /* metres; 0: the map's resolution */
-  double robot_radius; /* metres; 0: nothing grows */
-  bool radius_given;   /* even if 0 */
-  int unknown;         /* enum rosmap_unknown */
-} rosmap_wish;
-
-/* Unknown pixels are free, or they are obstacles and grow like them. The grey that map savers write for unknown ground,
- * 205 of 255, is free by the rule above where `free_thresh` is 0.25, which they write beside it today. As the map says:
- * then it is free, and a note says so. Blocked, written out: it is unknown all the same. */
-enum rosmap_unknown { ROSMAP_AS_THE_MAP_SAYS, ROSMAP_BLOCKED, ROSMAP_UNKNOWN_FREE };
 
 enum rosmap_class { ROSMAP_FREE, ROSMAP_OCCUPIED, ROSMAP_UNKNOWN };
 enum rosmap_mode { ROSMAP_TRINARY, ROSMAP_SCALE, ROSMAP_RAW };
@@ -49,8 +41,8 @@ int rosmap_read_header(rosmap_header *header, const char *path, const file_bytes
 /* What a sample of an image with that maximum stands for. */
 enum rosmap_class rosmap_classify(const rosmap_header *header, int sample, int maximum);
 
-/* Fill the input's cells and frame; in->map is the YAML's path. 0, or -1 with *fault set. */
-int rosmap_read(input *in, const file_bytes *bytes, const rosmap_wish *wish, fault *why);
+/* Fill the input's cells and frame, as in->ground wants them; in->map is the YAML's path. 0, or -1 with *fault set. */
+int rosmap_read(input *in, const file_bytes *bytes, fault *why);
 
 /* Whether a mapping has a ROS map's keys and not a mission's. */
 bool rosmap_looks_like_one(tree *yaml);

@@ -141,7 +141,8 @@ static void name_trouble(char *out, size_t size, const input *in, const site *it
     snprintf(out, size, "%s %d: %s lies outside the map, %s", what, it->number, position, rest);
     return;
   }
-  if (in->robot_radius > 0.0) snprintf(rest, sizeof rest, " grown by the robot_radius of %g m", in->robot_radius);
+  if (in->ground.robot_radius > 0.0)
+    snprintf(rest, sizeof rest, " grown by the robot_radius of %g m", in->ground.robot_radius);
   snprintf(out, size, "%s %d stands on an obstacle%s, at column %u, row %u", what, it->number, rest,
            (unsigned)(it->cell % in->mission.columns), (unsigned)(it->cell / in->mission.columns));
 }

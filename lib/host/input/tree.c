@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <yaml.h>
 
 #include "host/base/near.h"
@@ -13,6 +12,7 @@
 #define MOST_NESTED 32
 #define MOST_NAMES 256 /* anchors and aliases */
 #define MOST_DIRECTIVES 8
+#define TREE_KEYS_LIST 800 /* bytes of their names in a message */
 
 int tree_line(tree_node *node) {
   return (int)node->start_mark.line + 1;
@@ -200,7 +200,7 @@ static const char *scalar_text(tree_node *node) {
 }
 
 static int unknown_key(tree *yaml, tree_node *node, const char *what, const char *key, tree_keys known) {
-  char list[400];
+  char list[TREE_KEYS_LIST];
   const char *nearest = near_word(key, known);
   if (nearest != NULL)
     return tree_fault(yaml, node, "unknown key '%.60s' of %s; did you mean '%s'?", key, what, nearest);
@@ -216,9 +216,9 @@ static int known_index(const char *key, tree_keys known) {
 }
 
 int tree_check_keys(tree *yaml, tree_node *node, const char *what, tree_keys known, bool others) {
-  int line_of[32] = {0};
+  int line_of[TREE_KEYS_MOST] = {0};
   if (node->type != YAML_MAPPING_NODE) {
-    char list[400];
+    char list[TREE_KEYS_LIST];
     near_list(list, sizeof list, known);
     return tree_fault(yaml, node, "%s is not a mapping; give it the keys %s", what, list);
   }
@@ -282,44 +282,44 @@ bool tree_has_number_key(tree *yaml, tree_node *mapping) {
   return false;
 }
 
+/* A value that is no single one. */
 static int wrong_type(tree *yaml, tree_node *node, const char *key, const char *wanted) {
   static const char *const kinds[] = {"nothing", "a single value", "a list", "a mapping"};
-  const char *text = scalar_text(node);
-  if (text != NULL && text[0] == '\0') return tree_fault(yaml, node, "'%s' has no value; give %s", key, wanted);
-  if (text != NULL) return tree_fault(yaml, node, "'%s' is \"%.60s\"; give %s", key, text, wanted);
   return tree_fault(yaml, node, "'%s' is %s; give %s", key, kinds[node->type & 3], wanted);
 }
 
-int tree_number(tree *yaml, tree_node *node, const char *key, double *out) {
+value_site tree_site(tree *yaml, tree_node *node) {
+  return (value_site){yaml->why, yaml->path, tree_line(node), 0};
+}
+
+const char *tree_scalar(tree *yaml, tree_node *node, const char *key, const char *wanted) {
   const char *text = scalar_text(node);
-  if (text == NULL || text[0] == '\0') return wrong_type(yaml, node, key, "a number");
-  const char *wrong = text_number(out, text, strlen(text));
-  if (wrong == NULL) return 0;
-  return tree_fault(yaml, node, "'%s' is \"%.60s\", which %s; give a number", key, text, wrong);
+  if (text == NULL) wrong_type(yaml, node, key, wanted);
+  return text;
+}
+
+int tree_number(tree *yaml, tree_node *node, const char *key, double *out) {
+  const value_site site = tree_site(yaml, node);
+  const char *text = tree_scalar(yaml, node, key, "a number");
+  return text == NULL ? -1 : value_number(out, &site, key, text);
 }
 
 int tree_integer(tree *yaml, tree_node *node, const char *key, long *out) {
-  const char *text = scalar_text(node);
-  if (text != NULL && text_integer(out, text, strlen(text))) return 0;
-  return wrong_type(yaml, node, key, "a whole number");
+  const value_site site = tree_site(yaml, node);
+  const char *text = tree_scalar(yaml, node, key, "a whole number");
+  return text == NULL ? -1 : value_integer(out, &site, key, text);
 }
 
 int tree_text(tree *yaml, tree_node *node, const char *key, const char **out) {
-  const char *text = scalar_text(node);
-  if (text == NULL || text[0] == '\0') return wrong_type(yaml, node, key, "a text");
-  *out = text;
-  return 0;
+  const value_site site = tree_site(yaml, node);
+  *out = tree_scalar(yaml, node, key, "a text");
+  return *out == NULL ? -1 : value_text(&site, key, *out);
 }
 
 int tree_word(tree *yaml, tree_node *node, const char *key, tree_keys words, int *out) {
-  const char *text = scalar_text(node);
-  for (int i = 0; text != NULL && words[i] != NULL; i++) {
-    if (strcasecmp(words[i], text) != 0) continue;
-    *out = i;
-    return 0;
-  }
-  char list[400], wanted[420];
-  near_list(list, sizeof list, words);
-  snprintf(wanted, sizeof wanted, "one of %s", list);
-  return wrong_type(yaml, node, key, wanted);
+  char wanted[420];
+  const value_site site = tree_site(yaml, node);
+  value_words(wanted, sizeof wanted, words);
+  const char *text = tree_scalar(yaml, node, key, wanted);
+  return text == NULL ? -1 : value_word(out, &site, key, text, words);
 }

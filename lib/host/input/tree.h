@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "host/base/file.h"
+#include "host/input/value.h"
 
 typedef struct {
   const char *path; /* for faults; must outlive the tree */
@@ -25,7 +26,9 @@ tree_node *tree_root(tree *yaml);
 int tree_line(tree_node *node); /* from 1 */
 int tree_fault(tree *yaml, tree_node *node, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* The keys that a mapping may have, ended by NULL. */
+#define TREE_KEYS_MOST 64
+
+/* The keys that a mapping may have, ended by NULL; at most TREE_KEYS_MOST. */
 typedef const char *const tree_keys[];
 
 /* That `node` is a mapping with keys from `known` only, each at most once. `what` names it for the user ("a place").
@@ -47,6 +50,10 @@ bool tree_plain(tree *yaml, tree_node *node, const char **text);
 
 /* Whether a mapping has a number for a key, as {x: 0,5} has. */
 bool tree_has_number_key(tree *yaml, tree_node *mapping);
+
+/* Where a node stands; and its text, or NULL with the fault set that it is no single value but should be `wanted`. */
+value_site tree_site(tree *yaml, tree_node *node);
+const char *tree_scalar(tree *yaml, tree_node *node, const char *key, const char *wanted);
 
 /* A node's value as what it must be; `key` names it in the fault. 0, or -1 with the fault set. */
 int tree_number(tree *yaml, tree_node *node, const char *key, double *out);

@@ -8,6 +8,7 @@
 #include "quarter/learner.h"
 
 const char *const words_rule[] = {[QTR_RULE_FREE] = "free", [QTR_RULE_PAPER] = "paper", NULL};
+const char *const words_unknown[] = {"blocked", "free", NULL};
 const char *const words_setting[] = {[QTR_SETTING_CERTIFIED] = "certified", [QTR_SETTING_PAPER] = "paper", NULL};
 const char *const words_exploration[] = {
     [QTR_EXPLORE_UNIFORM] = "uniform", [QTR_EXPLORE_EPSILON] = "epsilon", [QTR_EXPLORE_SOFTMAX] = "softmax", NULL};

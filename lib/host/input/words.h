@@ -4,6 +4,7 @@
 #define QUARTER_HOST_WORDS_H
 
 extern const char *const words_rule[];         /* enum qtr_rule */
+extern const char *const words_unknown[];      /* enum input_unknown */
 extern const char *const words_setting[];      /* enum qtr_setting */
 extern const char *const words_exploration[];  /* enum qtr_exploration */
 extern const char *const words_region_times[]; /* enum qtr_region_times */

@@ -1,0 +1,193 @@
+#include "host/input/mission_keys.h"
+
+#include <math.h>
+
+#include "host/input/input.h"
+#include "host/input/words.h"
+#include "quarter/objective.h"
+
+/* ---- a robot, a place ---- */
+
+static const key_group positions[] = {
+    [MISSION_METRES] = {{"x", "y"}, "metres"}, [MISSION_CELLS] = {{"column", "row"}, "cells"}, {{NULL}, NULL}};
+
+#define POSITION                                                                                                       \
+  {.name = "x",                                                                                                        \
+   .kind = KEY_NUMBER,                                                                                                 \
+   .help = "metres in the map frame (cells from the lower left corner, on a map without metres)",                      \
+   .example = "1.5",                                                                                                   \
+   .unit = "m",                                                                                                        \
+   KEY_FIELD(mission_site, x)},                                                                                        \
+      {.name = "y",                                                                                                    \
+       .kind = KEY_NUMBER,                                                                                             \
+       .help = "likewise, upwards",                                                                                    \
+       .example = "1.5",                                                                                               \
+       .unit = "m",                                                                                                    \
+       KEY_FIELD(mission_site, y)},                                                                                    \
+      {.name = "column",                                                                                               \
+       .kind = KEY_INTEGER,                                                                                            \
+       .help = "cell, counted from 0 at the left",                                                                     \
+       .example = "4",                                                                                                 \
+       KEY_FIELD(mission_site, column)},                                                                               \
+  {                                                                                                                    \
+    .name = "row", .kind = KEY_INTEGER, .help = "cell, counted from 0 at the top", .example = "4",                     \
+    KEY_FIELD(mission_site, row)                                                                                       \
+  }
+
+static const key_record robot_records[] = {POSITION, {.name = NULL}};
+
+static const key_record place_records[] = {
+    POSITION,
+    {.name = "weight",
+     .kind = KEY_NUMBER,
+     .help = "how likely the target is there, in any unit: shares of the sum count",
+     .example = "2",
+     .standard = "1",
+     .noun = "a likelihood in any unit",
+     .most = HUGE_VAL,
+     .least_out = true,
+     KEY_FIELD(mission_site, weight)},
+    {.name = NULL}};
+
+const key_set mission_robot_keys = {"A robot", robot_records, positions, "position"};
+const key_set mission_place_keys = {"A place", place_records, positions, "position"};
+
+/* ---- where the map lies ---- */
+
+static const key_record geo_records[] = {
+    {.name = "latitude",
+     .kind = KEY_NUMBER,
+     .help = "of the map frame's origin (x = 0, y = 0), north positive, WGS84",
+     .example = "52.5163",
+     .unit = "degrees",
+     .noun = "degrees north",
+     .least = -90.0,
+     .most = 90.0,
+     .needed = true,
+     KEY_FIELD(mission_geo, latitude)},
+    {.name = "longitude",
+     .kind = KEY_NUMBER,
+     .help = "likewise, east positive",
+     .example = "13.3777",
+     .unit = "degrees",
+     .noun = "degrees east",
+     .least = -180.0,
+     .most = 180.0,
+     .needed = true,
+     KEY_FIELD(mission_geo, longitude)},
+    {.name = "yaw",
+     .kind = KEY_NUMBER,
+     .help = "by which the frame's x axis is turned from east, counter-clockwise; 90 degrees are 1.5708",
+     .example = "0.25",
+     .standard = "0",
+     .unit = "radians",
+     .noun = "radians",
+     .least = -6.283185307179586,
+     .most = 6.283185307179586,
+     KEY_FIELD(mission_geo, yaw)},
+    {.name = NULL}};
+
+const key_set mission_geo_keys = {"Where the map lies on the globe", geo_records, NULL, NULL};
+
+/* ---- the mission ---- */
+
+#define ROS_MAPS "ROS maps"
+#define METRIC_MAPS "maps with metres"
+
+static const key_record mission_records[] = {
+    {.name = "map",
+     .kind = KEY_FILE,
+     .help = "a drawing, a Moving AI map, or a ROS map_server YAML",
+     .example = "map.yaml",
+     .needed = true,
+     KEY_FIELD(input, map)},
+    {.name = "cell_size",
+     .kind = KEY_NUMBER,
+     .help = "side of a planning cell; a cell that any obstacle touches is blocked",
+     .example = "0.2",
+     .standard = "the map's resolution",
+     .where = ROS_MAPS,
+     .unit = "m",
+     .noun = "a length",
+     .most = HUGE_VAL,
+     .least_out = true,
+     KEY_FIELD(input, ground.cell_size),
+     KEY_GIVEN(input, ground.size_given)},
+    {.name = "robot_radius",
+     .kind = KEY_NUMBER,
+     .help = "obstacles grow by it, so that a robot's middle may be anywhere in a free cell",
+     .example = "0.2",
+     .standard = "0",
+     .where = ROS_MAPS,
+     .unit = "m",
+     .noun = "a length",
+     .most = HUGE_VAL,
+     KEY_FIELD(input, ground.robot_radius),
+     KEY_GIVEN(input, ground.radius_given)},
+    {.name = "unknown",
+     .kind = KEY_WORD,
+     .help = "what unknown ground is: an obstacle, or free",
+     .example = "blocked",
+     .standard = "blocked, but for what the map's thresholds make free",
+     .where = ROS_MAPS,
+     .words = words_unknown,
+     KEY_FIELD(input, ground.unknown),
+     KEY_GIVEN(input, ground.unknown_given)},
+    {.name = "robots",
+     .kind = KEY_LIST,
+     .help = "where the robots start, an item each (or one, and --robots K for K of them)",
+     .example = "[{x: 0.5, y: 1.5}]",
+     .standard = "a drawing's S",
+     .items = &mission_robot_keys},
+    {.name = "places",
+     .kind = KEY_LIST,
+     .help = "where the target may be, an item each",
+     .example = "[{x: 0.5, y: 1.5, weight: 2}]",
+     .standard = "a drawing's digits",
+     .items = &mission_place_keys},
+    {.name = "places_csv",
+     .kind = KEY_FILE,
+     .help = "more places, from a file with the header x,y,weight or column,row,weight",
+     .example = "places.csv",
+     KEY_FIELD(input, csv)},
+    {.name = "objective",
+     .kind = KEY_WORD,
+     .help = "what is best: the likeliest places soonest, by gamma a step, or the least expected time of the find",
+     .example = "time",
+     .standard = "discounted",
+     .words = qtr_objective_names,
+     KEY_FIELD(input, mission.aim.kind),
+     KEY_GIVEN(input, objective_given)},
+    {.name = "gamma",
+     .kind = KEY_NUMBER,
+     .help = "what a find a step later still counts for",
+     .example = "0.99",
+     .standard = "0.99",
+     .noun = "a discount",
+     .most = 1.0,
+     .least_out = true,
+     .most_out = true,
+     KEY_FIELD(input, mission.aim.gamma),
+     KEY_GIVEN(input, gamma_given)},
+    {.name = "rule",
+     .kind = KEY_WORD,
+     .help = "whether a robot may stand down when the others do better without it, or must choose as in the paper",
+     .example = "free",
+     .standard = "free",
+     .words = words_rule,
+     KEY_FIELD(input, mission.rule),
+     KEY_GIVEN(input, rule_given)},
+    {.name = "name",
+     .kind = KEY_TEXT,
+     .help = "for reports and pictures",
+     .example = "Old quarry",
+     KEY_FIELD(input, name)},
+    {.name = "geo",
+     .kind = KEY_MAPPING,
+     .help = "where on the globe the map lies",
+     .example = "{latitude: 52.5163, longitude: 13.3777}",
+     .where = METRIC_MAPS,
+     .items = &mission_geo_keys},
+    {.name = NULL}};
+
+const key_set mission_keys = {"The mission", mission_records, NULL, NULL};

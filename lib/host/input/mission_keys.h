@@ -1,0 +1,30 @@
+/* What a mission may say: the keys of the mission itself, of a robot, a place and more, a record each. The reader, its
+ * faults, docs/mission.md and docs/mission.schema.json are made of these. */
+#ifndef QUARTER_HOST_MISSION_KEYS_H
+#define QUARTER_HOST_MISSION_KEYS_H
+
+#include <stdint.h>
+
+#include "host/input/keys.h"
+
+/* A robot or a place, as its keys are read. */
+typedef struct {
+  double x, y;
+  int32_t column, row;
+  double weight;
+} mission_site;
+
+/* Its position, as its set's `either` counts them. */
+enum mission_position { MISSION_METRES, MISSION_CELLS };
+
+/* Where the map lies on the globe: degrees, degrees, radians. */
+typedef struct {
+  double latitude, longitude, yaw;
+} mission_geo;
+
+extern const key_set mission_keys;       /* into an `input` */
+extern const key_set mission_robot_keys; /* into a mission_site */
+extern const key_set mission_place_keys; /* likewise */
+extern const key_set mission_geo_keys;   /* into a mission_geo */
+
+#endif

@@ -1,0 +1,50 @@
+#include <stdlib.h>
+
+#include "commands.h"
+#include "host/input/mission_keys.h"
+#include "host/input/reference.h"
+#include "host/input/schema.h"
+#include "options.h"
+#include "print.h"
+
+static const char intro[] =
+    "quarter keys             every key of a mission: unit, range, default, example (docs/mission.md)\n"
+    "quarter keys --json      the JSON Schema that an editor completes and checks missions by\n"
+    "\n";
+
+static const option_line lines[] = {
+    {"json", "print the schema, or write it to FILE", 0},
+    {NULL, NULL, 0},
+};
+
+static const char outro[] = "\n"
+                            "An editor that knows YAML schemas takes the file by a first line in the mission:\n"
+                            "# yaml-language-server: $schema=mission.schema.json\n"
+                            "\n"
+                            "Exit status: 0 done; 2 bad words.\n";
+
+static const option_set set = {"keys", intro, outro, option_records, lines};
+
+static void write_json(FILE *out, const void *what) {
+  schema_write(out, what);
+}
+
+static void write_text(FILE *out, const void *what) {
+  fputs("# A mission, key by key\n"
+        "A mission is a YAML file that names a map, the robots and the places where the target may be:\n"
+        "`quarter learn mission.yaml`. These are all keys that it may have; any other is refused, and so is a value "
+        "outside of its\n"
+        "range. A file that it names is looked for beside it. `quarter keys` prints this page, `quarter keys --json` "
+        "the\n"
+        "[schema](mission.schema.json) for editors; the reader, its messages and both of them are made of one list.\n",
+        out);
+  reference_write(out, what);
+}
+
+int command_keys(int argc, char **argv) {
+  static options o;
+  fault why;
+  if (options_parse_alone(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
+  if (o.help) return option_help(stdout, &set);
+  return print_report(&o, write_json, write_text, &mission_keys, &why) == 0 ? EXIT_SUCCESS : fault_exit(&why);
+}
