@@ -1,9 +1,9 @@
 "use strict";
 
-/* ---- the map, and what never changes on it ---- */
+/* ---- the map, and what changes seldom on it ---- */
 
 const costOf = (sign) => (sign === "#" ? 0 : sign >= "2" && sign <= "9" ? Number(sign) : 1);
-const view = { cell: 20, ratio: 1, ground: null, left: 0, top: 0, columns: 1, rows: 1 }; // the part shown, in cells
+const view = { cell: 20, ratio: 1, ground: null, division: "", left: 0, top: 0, columns: 1, rows: 1 }; // the part shown, in cells
 
 /* As `quarter draw` has it: the free cells and what lies next to them. Maps often have wide margins of nothing known. */
 function crop({ columns, rows, rows_text }) {
@@ -52,7 +52,7 @@ function fit(context, canvas, unit) {
 }
 
 /* As `quarter draw` has it: a free cell belongs to the robot that is to visit the place nearest to it by steps. */
-function floodTerritories({ map, places }) {
+function floodTerritories({ map, places }, owners) {
   const owner = map.rows_text.map((row) => new Array(row.length).fill(-1));
   const queue = [];
   const claim = (column, row, robot) => {
@@ -60,7 +60,10 @@ function floodTerritories({ map, places }) {
     owner[row][column] = robot;
     queue.push([column, row]);
   };
-  for (const { x, y, territory } of places) if (territory >= 0) claim(Math.floor(x), Math.floor(y), territory);
+  places.forEach(({ x, y }, number) => {
+    const { owner, left } = owners[number];
+    if (owner >= 0 || left >= 0) claim(Math.floor(x), Math.floor(y), owner >= 0 ? owner : LEFT);
+  });
   for (let head = 0; head < queue.length; head++) {
     const [column, row] = queue[head], robot = owner[row][column];
     claim(column, row - 1, robot), claim(column + 1, row, robot);
@@ -75,14 +78,18 @@ function forCells(map, paint) {
   });
 }
 
-function drawTerritories(context, data) {
-  const owner = floodTerritories(data), tint = Number(style.tint);
+const isLost = (state, robot) => state.robots[robot]?.kind === "lost";
+
+function drawTerritories(context, data, state) {
+  const owner = floodTerritories(data, state.owners), tint = Number(style.tint);
   forCells(data.map, (column, row) => {
-    if (owner[row][column] < 0) return;
-    context.fillStyle = colour(owner[row][column], tint);
+    const robot = owner[row][column];
+    if (robot < 0 && robot !== LEFT) return;
+    context.fillStyle = robot === LEFT ? style.left : colour(robot, tint);
     context.fillRect(column, row, 1, 1);
   });
   data.routes.forEach((route, robot) => {
+    if (isLost(state, robot)) return;
     context.fillStyle = colour(robot, tint);
     const cells = new Set(route.map(([x, y]) => `${Math.floor(x)} ${Math.floor(y)}`));
     for (const cell of cells) context.fillRect(...cell.split(" ").map(Number), 1, 1);
@@ -125,10 +132,10 @@ function drawGrid(context, { columns, rows }) {
 }
 
 /* Beside the cells' middles, each robot in a lane of its own, or routes along the same cells would hide one another. */
-function drawRoutes(context, data) {
+function drawRoutes(context, data, state) {
   data.routes.forEach((route, robot) => {
     const shift = ((robot + 0.5) / data.routes.length - 0.5) * 0.36;
-    context.strokeStyle = colour(robot, 0.6);
+    context.strokeStyle = colour(robot, isLost(state, robot) ? 0.25 : 0.6);
     context.lineWidth = Math.max(0.06, 1.2 / view.cell);
     context.lineJoin = "round";
     context.setLineDash([0.3, 0.2]);
@@ -147,9 +154,15 @@ function drawStarts(context, data) {
   });
 }
 
-/* What never changes, drawn once. In cells, so that nothing below needs to know pixels. */
-function drawGround(model) {
+/* What the ground's colours hang on: who has which place, and who is lost. */
+const divisionOf = (state) => JSON.stringify([
+  state.owners.map(({ owner, left }) => (owner >= 0 ? owner : left >= 0 ? LEFT : -1)),
+  state.robots.map(({ kind }) => kind === "lost")]);
+
+/* What changes seldom, drawn when it does. In cells, so that nothing below needs to know pixels. */
+function drawGround(model, state) {
   const canvas = $("map"), { data } = model;
+  view.division = state.division;
   view.ground = document.createElement("canvas");
   view.ground.width = canvas.width;
   view.ground.height = canvas.height;
@@ -157,11 +170,11 @@ function drawGround(model) {
   fit(context, canvas, 1);
   context.fillStyle = style.ground;
   context.fillRect(0, 0, data.map.columns, data.map.rows);
-  drawTerritories(context, data);
+  drawTerritories(context, data, state);
   drawSlowGround(context, data.map);
   drawGrid(context, data.map);
   context.fillStyle = style.wall;
   forCells(data.map, (column, row, cost) => cost === 0 && context.fillRect(column, row, 1, 1));
-  drawRoutes(context, data);
+  drawRoutes(context, data, state);
   drawStarts(context, data);
 }

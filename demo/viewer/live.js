@@ -40,9 +40,10 @@ function addEvents(model, events) {
   const sound = events.filter((event) => isEvent(event, model.data) && !known.has(nameOf(event)));
   if (sound.length === 0) return;
   const isLater = sound.sort(byTime)[0].t >= (model.events.at(-1)?.t ?? 0);
-  model.events.push(...sound);
-  if (isLater) addRows(sound);
-  else model.events.sort(byTime), listEvents(model), player.state = null;
+  const before = model.events.length;
+  model.events = withTakeovers(model.data, [...model.events, ...sound]);
+  if (isLater && model.events.length === before + sound.length) addRows(sound);
+  else listEvents(model), player.state = null;
 }
 
 const isPose = (pose) => isPoint(pose) && finite(pose[2]);

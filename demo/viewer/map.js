@@ -87,7 +87,7 @@ function drawHiddenMine(context, x, y) {
 function drawPlace(context, model, state, number) {
   const place = model.data.places[number], seen = state.places[number];
   const x = place.x * view.cell, y = place.y * view.cell, radius = placeRadius(model.data, place);
-  const ink = place.territory >= 0 ? colour(place.territory) : style.soft;
+  const { owner } = state.owners[number], ink = owner >= 0 ? colour(owner) : style.soft;
   if (seen.found !== null) drawFound(context, x, y);
   else if (seen.at !== null) drawClear(context, x, y, radius, ink);
   else drawSuspected(context, x, y, radius, ink);
@@ -265,7 +265,8 @@ function drawPulses(context, model, passed, now) {
 function drawMap(model, state, now) {
   const canvas = $("map"), context = canvas.getContext("2d");
   // Before the window has a size there is nothing to draw on; its first resize draws.
-  if (canvas.width === 0 || view.ground === null || view.ground.width === 0) return;
+  if (canvas.width === 0 || canvas.height === 0) return;
+  if (view.ground === null || view.division !== state.division) drawGround(model, state);
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.drawImage(view.ground, 0, 0);
   fit(context, canvas, view.cell);

@@ -7,11 +7,13 @@ const EPSILON = 1e-6; // seconds: an event at 12.3 has happened at 12.3, whateve
 const SPEEDS = [1, 2, 5, 10, 20];
 const TRAIL = 8; // seconds
 const PULSE = 1.2; // seconds that an event glows on the map
+const ALARM = 3; // seconds of the clock on the wall, at any speed, that a loss is shouted
 const FAULTS = new Set(["lost", "stuck", "reset", "shut", "loss", "slip", "collision", "deadlock"]);
 const stillMedia = matchMedia("(prefers-reduced-motion: reduce)");
 
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 const finite = (value) => typeof value === "number" && Number.isFinite(value);
+const many = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
 const rounded = (value, decimals) => String(Number(value.toFixed(decimals)));
 
 /* Writes only what changed: the page is laid out anew on every write. */
@@ -90,6 +92,6 @@ function inkOn(robot) {
 let style = {}; // the page's colours, for the canvas
 function readStyle() {
   const computed = getComputedStyle(document.documentElement);
-  for (const name of ["panel", "ink", "soft", "line", "wall", "ground", "slow", "grid", "mine", "fault", "tint"])
+  for (const name of ["panel", "ink", "soft", "line", "wall", "ground", "slow", "grid", "mine", "fault", "tint", "left"])
     style[name] = computed.getPropertyValue(`--${name}`).trim();
 }

@@ -64,7 +64,7 @@ function changeSpeed(step) {
 
 /* Spoken only for what a listener would stop for, and only when it happens, not when it is jumped over. */
 function speakOf(events) {
-  const told = events.filter(({ kind }) => ["found", "lost", "stuck", "reset", "shut"].includes(kind));
+  const told = events.filter(({ kind }) => ["found", "lost", "takeover", "stuck", "reset", "shut"].includes(kind));
   if (told.length > 0) say("said", told.map((event) => event.text || event.kind).join("; "));
 }
 
@@ -91,6 +91,7 @@ function show() {
     if (player.playing && passed > before) speakOf(model.events.slice(before, passed));
   }
   showTime();
+  showStory(model, player.state, player.now);
   showOutcome(model, player.now);
   showChart(model, player.state, player.now);
   drawMap(model, player.state, player.now);
@@ -99,7 +100,7 @@ function show() {
 function layOut() {
   readStyle();
   sizeMap(player.model);
-  drawGround(player.model);
+  view.ground = null;
   drawChart(player.model);
 }
 
@@ -114,7 +115,6 @@ function redraw() {
 }
 
 function subtitleOf(data) {
-  const many = (count, noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
   const parts = [many(data.robots, "robot"), many(data.places.length, "suspected place"),
     data.mode === "clear" ? "searched to the last place" : "searched until the find", `seed ${data.seed ?? "unknown"}`];
   return parts.join(" · ");
@@ -127,6 +127,7 @@ function openModel(model) {
   const title = typeof data.title === "string" && data.title !== "" ? data.title : data.mission ?? "Replay";
   say("title", title);
   document.title = `${title} – Quarter`;
+  say("sentence", sentenceOf(data));
   say("subtitle", subtitleOf(data));
   say("places-total", String(data.places.length));
   $("legend-slow").hidden = !/[2-9]/.test(data.map.rows_text.join(""));

@@ -76,7 +76,7 @@ function modelOf(data) {
       y: hundredths(data.tracks?.[r].y ?? []),
       heading: hundredths(data.tracks?.[r].heading ?? []),
     })),
-    events: [...(data.events ?? [])].sort(byTime),
+    events: withTakeovers(data, data.events ?? []),
     duration: data.duration ?? 0,
     result: data.result ?? null,
   };
@@ -109,7 +109,7 @@ function passPlace(state, event, model) {
   const place = state.places[event.place];
   const isFind = event.kind === "found";
   if (event.kind === "shut") place.shut = true;
-  if ((isFind || event.kind === "scanned") && place.at === null) {
+  if (SCANS.has(event.kind) && place.at === null) {
     place.at = event.t;
     state.scanned++;
     state.likelihood += model.data.places[event.place].likelihood;
@@ -124,7 +124,7 @@ function passPlace(state, event, model) {
 /* What the events so far say; `passed` is how many there were. */
 function stateAfter(model, passed) {
   const state = {
-    passed, scanned: 0, faults: 0, likelihood: 0, curve: [], finds: 0, shut: [],
+    passed, scanned: 0, faults: 0, likelihood: 0, curve: [], finds: 0, shut: [], owners: ownersOf(model.data),
     robots: Array.from({ length: model.data.robots }, () => ({ kind: "moving", since: 0 })),
     places: model.data.places.map(() => ({ at: null, found: null, shut: false })),
   };
@@ -133,7 +133,9 @@ function stateAfter(model, passed) {
     if (event.kind === "shut") state.shut.push(event);
     passRobot(state, event);
     passPlace(state, event, model);
+    passOwner(state.owners, event);
   }
+  state.division = divisionOf(state);
   return state;
 }
 

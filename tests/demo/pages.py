@@ -18,12 +18,19 @@ NUMBERS = ("found-at", "planned-at", "all-stopped-at", "duplicates", "collisions
 TIME = "parseFloat(document.querySelector('#time').dataset.value)"
 PLAY = "document.querySelector('#play').click()"
 SAMPLE = {}  # a replay
+# What follows from the sample: robot 0 was done at 20.2, robot 1 is lost at 20.4, and robot 0 searches its places from 28.2 on.
+TAKEOVER = {"t": 20.4, "kind": "takeover", "robot": 0, "text": "robot 0 takes over what robot 1 left: 2 places"}
 asked = argparse.Namespace()  # the page without a replay, as test_viewer.py was told
 
 
 def page_of(text):
     """The template with `text` for the replay, as the host program makes it."""
     return asked.template.replace(LINE, LINE.replace("null", text.replace("</", "<\\/")))
+
+
+def told_events():
+    """The sample's events with those that follow from them, in the order in which the page lists them."""
+    return sorted([*SAMPLE["events"], TAKEOVER], key=lambda event: event["t"])
 
 
 def distinct_places(events, t):

@@ -5,7 +5,7 @@ import json
 import queue
 import threading
 
-from pages import SAMPLE, Pages, distinct_places, page_of
+from pages import SAMPLE, TAKEOVER, Pages, distinct_places, page_of
 
 
 class Host(http.server.ThreadingHTTPServer):
@@ -141,6 +141,18 @@ class Live(Pages):
     def assert_lists_once(self, t):
         rows = self.browser.run("return document.querySelectorAll('#events li').length")
         self.assertEqual(rows, sum(event["t"] <= t for event in SAMPLE["events"]))
+
+    def test_who_takes_over_is_listed_when_it_shows(self):
+        """Where it set out to, which no message says, shows when it searches there."""
+        self.host.send("hello", self.hello)
+        self.frame(22.0)
+        self.wait_time(22.0)
+        self.assertIn("Robot 1 is lost", self.browser.text("#story"))
+        self.frame(29.0)
+        self.wait_time(29.0)
+        self.assertEqual(self.browser.text("#events button[data-kind='takeover'] .what"), TAKEOVER["text"])
+        rows = self.browser.run("return document.querySelectorAll('#events li').length")
+        self.assertEqual(rows, 1 + sum(event["t"] <= 29.0 for event in SAMPLE["events"]))
 
     def test_who_comes_late_sees_what_was_before(self):
         self.host.send("hello", self.hello)

@@ -3,7 +3,7 @@
 import copy
 import json
 
-from pages import FAULTS, PLAY, SAMPLE, SCANS, TIME, Pages
+from pages import FAULTS, PLAY, SAMPLE, SCANS, TIME, Pages, told_events
 
 
 class Playing(Pages):
@@ -53,13 +53,13 @@ class Playing(Pages):
         planned = max((p for at, p in SAMPLE["plan"] if at <= t), default=0)
         self.assertAlmostEqual(self.number("expected-now"), planned, 3)
         passed = self.browser.run("return document.querySelectorAll('#events button:not(.future)').length")
-        self.assertEqual(passed, sum(e["t"] <= t for e in SAMPLE["events"]))
+        self.assertEqual(passed, sum(e["t"] <= t for e in told_events()))
 
     def test_an_event_leads_to_its_time(self):
         self.open_replay()
         buttons = "return [...document.querySelectorAll('#events button')].map(b => [+b.dataset.t, b.dataset.kind, " \
             "b.querySelector('.what').textContent, b.classList.contains('fault')])"
-        expected = [[e["t"], e["kind"], e["text"], e["kind"] in FAULTS] for e in SAMPLE["events"]]
+        expected = [[e["t"], e["kind"], e["text"], e["kind"] in FAULTS] for e in told_events()]
         self.assertEqual(self.browser.run(buttons), expected)
         self.scrub(SAMPLE["duration"])
         lost = next(e for e in SAMPLE["events"] if e["kind"] == "lost")

@@ -3,7 +3,7 @@
 import copy
 import json
 
-from pages import NUMBERS, OPEN_PLACES, SAMPLE, SCANS, Pages
+from pages import NUMBERS, OPEN_PLACES, SAMPLE, SCANS, Pages, told_events
 
 
 class Showing(Pages):
@@ -35,8 +35,8 @@ class Showing(Pages):
         known = {**result, **{f"messages_{kind}": count for kind, count in result["messages"].items()}}
         since = {"found_at": result["found_at"], "planned_at": result["found_at"],
                  "all_stopped_at": result["all_stopped_at"]}
-        past = [event["t"] for event in SAMPLE["events"] if event["t"] <= t]
-        marks = [event["t"] for event in SAMPLE["events"] if event["t"] <= t and event["kind"] != "end"]
+        past = [event["t"] for event in told_events() if event["t"] <= t]
+        marks = [event["t"] for event in told_events() if event["t"] <= t and event["kind"] != "end"]
         names = [name.replace("-", "_") for name in NUMBERS]
         numbers = [known[name] if t >= since.get(name, SAMPLE["duration"]) else None for name in names]
         return [past, marks, numbers]
