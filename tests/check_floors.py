@@ -42,6 +42,7 @@ HOMES = {
     "yaml.h": "lib/host/input/tree.c",
     "spng.h": "lib/host/input/png.c",
     "stb_image.h": "lib/host/input/bmp.c",
+    "proj.h": "lib/host/geo/projection.c",
 }
 
 

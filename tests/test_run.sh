@@ -27,7 +27,7 @@ test_a_library_that_is_there_is_found_every_time() {
 # Under a compiler that compiles nothing, all headers are missing.
 test_a_command_asks_for_what_it_needs_and_no_more() {
   local found CC=false root=$here/empty
-  mkdir -p "$root/cmake" "$root/tools/bridge" && touch "$root"/{cmake,tools/bridge}/requirements{,-demo,-charts,-format,-mcap}.txt
+  mkdir -p "$root/cmake" "$root/tools/bridge" && touch "$root"/{cmake,tools/bridge}/requirements{,-demo,-charts,-export,-format,-mcap}.txt
   have() { return 1; }
   have_pip() { return 1; }
   has_library() { return 1; }
@@ -41,8 +41,8 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   expect "packages of games" "$(packages games)" "$found"
   expect "packages of losses" "$(packages losses)" "$found"
   expect "packages of test" "$(packages test)" "$found"
-  expect "tools of demo" "$(command=demo && parts_of demo && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev libsodium-dev"
-  expect "tools of quarter" "$(command=quarter && parts_of quarter && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev"
+  expect "tools of demo" "$(command=demo && parts_of demo && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev libproj-dev libsodium-dev"
+  expect "tools of quarter" "$(command=quarter && parts_of quarter && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev libproj-dev"
   parts_of test
   has_picolibc() { return 1; }
   board_kinds=arm
@@ -50,17 +50,17 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   board_kinds=""
   has_browser_package() { return 1; }
   expect "tools of test where there is no browser to be had" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "iproute2 libsodium-dev libspng-dev libstb-dev nftables spin"
+    "iproute2 libproj-dev libsodium-dev libspng-dev libstb-dev nftables spin"
   apt-cache() { return 0; }
   with_firmware=yes
   found=$(command=test missing_tools | tr ' ' '\n' | sort -u | paste -sd ' ')
   expect "tools of test --firmware" "$found" "avr-libc clang cppcheck g++ gcc-arm-none-eabi gcc-avr gcc-i686-linux-gnu \
-gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libsodium-dev libspng-dev \
-libstb-dev nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user simavr spin"
+gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libproj-dev libsodium-dev \
+libspng-dev libstb-dev nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user simavr spin"
   with_firmware=""
   has_browser_package() { return 0; }
   expect "tools of test" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "chromium chromium-driver iproute2 libsodium-dev libspng-dev libstb-dev nftables spin"
+    "chromium chromium-driver iproute2 libproj-dev libsodium-dev libspng-dev libstb-dev nftables spin"
 }
 
 test_without_root_one_line_to_paste_names_all() {

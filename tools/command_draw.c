@@ -14,6 +14,7 @@
 #include "host/plan/problem.h"
 #include "host/table/certificate.h"
 #include "host/table/table.h"
+#include "host/table/way.h"
 #include "prepare.h"
 #include "print.h"
 #include "products.h"
@@ -75,7 +76,6 @@ typedef struct {
 /* What drawing needs beside the sheet. */
 typedef struct {
   problem drawn;
-  qtr_field way;
   qtr_regions divided;
   memory_block dividing;
   qtr_spots grouped, grouping;
@@ -139,27 +139,15 @@ static qtr_cell on_map(const table *t, qtr_cell cell) {
 
 /* The cells that a seeker walks, its route's last place the last. */
 static int walk(sheet *s, const table *t, int seeker, fault *why) {
-  const table_route *route = &s->route[seeker];
-  size_t room = 1;
-  for (int i = 0; i < route->places; i++) room += 1u + (i > 0 ? route->step[i] - route->step[i - 1] : route->step[i]);
-  s->trail[seeker] = malloc(room * sizeof(qtr_cell));
-  if (s->trail[seeker] == NULL) return fault_set(why, "no memory for seeker %d's route", seeker);
-  const qtr_board *board = &t->policy.board;
-  qtr_cell cell = qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[seeker]);
-  size_t length = 0;
-  s->trail[seeker][length++] = on_map(t, cell);
-  for (int i = 0; i < route->places; i++) {
-    const qtr_cell goal = qtr_policy_cell(&t->policy, route->place[i]);
-    qtr_field_fill(&desk->way, &t->policy.grid, goal);
-    while (cell != goal && length < room) {
-      cell = qtr_field_next(&desk->way, &t->policy.grid, cell);
-      if (cell == QTR_NO_CELL) return fault_set(why, "the table's travel times do not fit its map; learn it again");
-      s->trail[seeker][length++] = on_map(t, cell);
-    }
-  }
+  way walked;
+  if (way_walk(&walked, t, seeker, &s->route[seeker], why) != 0) return -1;
+  s->trail[seeker] = malloc(walked.count * sizeof(qtr_cell));
+  for (size_t i = 0; s->trail[seeker] != NULL && i < walked.count; i++)
+    s->trail[seeker][i] = on_map(t, walked.at[i].cell);
   s->seeker[seeker].trail = s->trail[seeker];
-  s->seeker[seeker].trail_length = length;
-  return 0;
+  s->seeker[seeker].trail_length = walked.count;
+  way_free(&walked);
+  return s->trail[seeker] != NULL ? 0 : fault_set(why, "no memory for seeker %d's route", seeker);
 }
 
 static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {

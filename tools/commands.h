@@ -10,5 +10,6 @@ int command_tune(int argc, char **argv);
 int command_belief(int argc, char **argv);
 int command_draw(int argc, char **argv);
 int command_keys(int argc, char **argv);
+int command_export(int argc, char **argv);
 
 #endif

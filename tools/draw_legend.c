@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "draw_parts.h"
+#include "host/base/xml.h"
 
 enum { SEEKER_ROW = 24, LINE_ROW = 19, SIZES_ROW = 52, KEY_ROW = 28, GAP = 14 };
 
@@ -47,7 +48,7 @@ double draw_legend_height(const draw_page *page) {
 
 static void put_text(const draw_page *page, double x, double y, const char *attributes, const char *text, int most) {
   fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\"%s>", x, y, attributes);
-  draw_text(page->out, text, most);
+  xml_text(page->out, text, most);
   fputs("</text>\n", page->out);
 }
 

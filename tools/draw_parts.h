@@ -52,8 +52,6 @@ const char *draw_colour(char text[8], int seeker);
 const char *draw_ink(int seeker);
 /* Of the seeker's lines: empty, or a stroke-dasharray attribute where colours come again. */
 const char *draw_dashes(int seeker);
-/* Text with what XML reserves escaped and what it cannot hold replaced; cut after `most` characters. */
-void draw_text(FILE *out, const char *text, int most);
 /* Width in pixels of a text, roughly. */
 double draw_text_width(const char *text, double size);
 /* Two decimals at most, no zeros at the end. */

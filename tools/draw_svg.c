@@ -5,6 +5,7 @@
 
 #include "draw_parts.h"
 #include "host/base/count.h"
+#include "host/base/xml.h"
 
 enum { PAD = 22, TITLE = 34, LONGEST_SIDE = 880 };
 
@@ -94,7 +95,7 @@ static bool fits(const drawing *d) {
 static void describe(const draw_page *page) {
   const drawing *d = page->d;
   fputs("<title id=\"title\">", page->out);
-  draw_text(page->out, d->title != NULL ? d->title : "Search plan", 1000);
+  xml_text(page->out, d->title != NULL ? d->title : "Search plan", 1000);
   fprintf(page->out, "</title>\n<desc id=\"desc\">A map of %u by %u cells with %s and %s.", d->columns, d->rows,
           counted((uint64_t)d->places, "place").text, counted((uint64_t)d->seekers, "seeker").text);
   for (int i = 0; i < d->seekers; i++) {
@@ -134,7 +135,7 @@ static void draw_title(const draw_page *page) {
   const double size = fmax(13, fmin(19, 19 * room / fmax(1, draw_text_width(page->d->title, 19))));
   fprintf(page->out, "<text x=\"%d\" y=\"%d\" font-size=\"%.1f\" font-weight=\"bold\" fill=\"%s\">", PAD, PAD + 16,
           size, DRAW_INK);
-  draw_text(page->out, page->d->title, (int)(room / (0.58 * size)));
+  xml_text(page->out, page->d->title, (int)(room / (0.58 * size)));
   fputs("</text>\n", page->out);
 }
 

@@ -16,6 +16,7 @@ static const char help[] =
     "quarter learn mission.yaml -o mission.qtr     divide the area among the robots, with a certificate\n"
     "quarter simulate mission.qtr --lost 1@40      play the policy, robots late or lost\n"
     "quarter draw mission.qtr -o mission.svg       a picture of the map, the territories and the routes\n"
+    "quarter export mission.qtr -o ways.csv        the ways for others: GPX, QGroundControl, Nav2 ...\n"
     "quarter inspect mission.qtr                   what a policy table holds\n"
     "quarter tune mission.yaml                     which aggregation loses least on the ground\n"
     "quarter belief mission.yaml --history g.csv   likelihoods from where targets were found\n"
@@ -31,9 +32,11 @@ static const char help[] =
 static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
-} commands[] = {{"learn", command_learn},     {"exact", command_exact}, {"simulate", command_simulate},
-                {"inspect", command_inspect}, {"draw", command_draw},   {"tune", command_tune},
-                {"belief", command_belief},   {"keys", command_keys}};
+} commands[] = {
+    {"learn", command_learn},     {"exact", command_exact},   {"simulate", command_simulate},
+    {"inspect", command_inspect}, {"draw", command_draw},     {"export", command_export},
+    {"tune", command_tune},       {"belief", command_belief}, {"keys", command_keys},
+};
 
 static void refuse_command(const char *word) {
   enum { COUNT = sizeof commands / sizeof commands[0] };

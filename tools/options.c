@@ -291,6 +291,21 @@ option_table option_records = {
      COUNT(game.target, 0, QTR_MAX_PLACES - 1)},
     {.name = "regions", .help = "draw the borders of the map's regions", MARK(regions)},
     {.name = "spots", .help = "mark the places of each hiding spot alike, for inputs", MARK(spots)},
+    {.name = "format", .argument = "FORMAT", .help = "of the output; else as its name ends", TEXT(format)},
+    {.name = "robot",
+     .argument = "N",
+     .help = "of this robot alone, counted from 0",
+     COUNT(robot, 0, QTR_MAX_SEEKERS - 1)},
+    {.name = "places", .help = "the places alone, without the corners between them", MARK(places)},
+    {.name = "altitude",
+     .argument = "METRES",
+     .help = "qgc-plan, qgc-wpl: above home, of a drone, which takes off first (default: a rover)",
+     NUMBER(altitude, 0.0, 10000.0, "of metres, from 0 to 10000")},
+    {.name = "hold",
+     .argument = "SECONDS",
+     .help = "qgc-plan, qgc-wpl: to stay at each place, for its scan (default %s)",
+     .standard = "0",
+     NUMBER(hold, 0.0, 1e6, "of seconds, from 0 to 1e6")},
     {.name = "clear-all", .help = "go on after the find, until every territory is done", MARK(game.clear_all)},
     {.name = "history", .argument = "FILE", .help = "the games to learn from", TEXT(history)},
     {.name = "belief",
@@ -322,6 +337,7 @@ void options_default(options *o) {
   plan_config_default(&o->plan);
   simulation_config_default(&o->game);
   o->detection = 1.0;
+  o->robot = -1;
 }
 
 int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {

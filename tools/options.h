@@ -27,6 +27,12 @@ typedef struct {
   simulation_config game;
   /* drawing */
   bool regions, spots;
+  /* writing for others */
+  const char *format; /* NULL: as the output's name ends */
+  int robot;          /* -1: all */
+  bool places;        /* no waypoints but these */
+  double altitude;    /* metres above home; 0: on the ground */
+  double hold;        /* seconds at a place */
   /* belief */
   const char *history; /* CSV; NULL: none */
   const char *belief;  /* saved belief, read and written; NULL: none */

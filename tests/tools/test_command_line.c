@@ -239,7 +239,8 @@ static void test_a_file_that_is_replaced_keeps_its_mode_and_its_link(void) {
 /* ---- inputs that are no files ---- */
 
 static void test_pipes_folders_and_devices_are_no_inputs(void) {
-  static const char *const commands[] = {"learn", "exact", "draw -o x.svg", "tune", "inspect", "simulate", "belief"};
+  static const char *const commands[] = {"learn", "exact",   "draw -o x.svg", "export -o x.csv",
+                                         "tune",  "inspect", "simulate",      "belief"};
   static const char *const inputs[] = {"pipe", ".", "/dev/null", "nowhere", "''"};
   unlink("pipe");
   TEST_ASSERT_EQUAL_INT(0, mkfifo("pipe", 0600));

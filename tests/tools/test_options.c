@@ -8,7 +8,7 @@
 
 enum { OPTIONS_MOST = 64 };
 
-static const char *const commands[] = {"learn", "exact", "simulate", "inspect", "draw", "tune", "belief"};
+static const char *const commands[] = {"learn", "exact", "simulate", "inspect", "draw", "export", "tune", "belief"};
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 
 static tool_result help[COMMANDS];

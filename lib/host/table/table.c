@@ -1,6 +1,7 @@
 #include "host/table/table.h"
 
 #include <fcntl.h>
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -55,6 +56,19 @@ int table_place(const table *t, unsigned number) {
   for (unsigned place = 0; place < t->policy.board.places; place++)
     if (table_number(t, place) == number) return (int)place;
   return -1;
+}
+
+table_name table_place_name(const table *t, unsigned place) {
+  table_name name;
+  snprintf(name.text, sizeof name.text, "place %u", table_number(t, place));
+  return name;
+}
+
+table_name table_robot_name(const table *t, int robot) {
+  table_name name;
+  (void)t;
+  snprintf(name.text, sizeof name.text, "robot %d", robot);
+  return name;
 }
 
 unsigned table_column(const table *t, qtr_cell cell) {

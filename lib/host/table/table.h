@@ -39,6 +39,14 @@ void table_free(table *t);
 unsigned table_number(const table *t, unsigned place);
 int table_place(const table *t, unsigned number);
 
+/* What people call a place and a robot. */
+typedef struct {
+  char text[32];
+} table_name;
+
+table_name table_place_name(const table *t, unsigned place);
+table_name table_robot_name(const table *t, int robot);
+
 /* Column and row of one of the table's cells on the map that it was learnt on, of which it holds a part; and the cell
  * of those, QTR_NO_CELL outside that part. */
 unsigned table_column(const table *t, qtr_cell cell);
