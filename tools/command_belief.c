@@ -162,8 +162,10 @@ static void write_csv(FILE *out, const estimation *s) {
 }
 
 static void write_place(json *j, const estimation *s, unsigned place) {
+  const naming n = input_naming(&s->in);
   json_flat_object(j, NULL);
   json_integer(j, "number", s->in.place_number[place]);
+  naming_json_place(&n, j, place);
   json_integer(j, "column", column_of(s, place));
   json_integer(j, "row", row_of(s, place));
   if (s->in.frame.metric) {
@@ -202,7 +204,8 @@ static void write_json(FILE *out, const estimation *s) {
 }
 
 static void write_place_line(FILE *out, const estimation *s, unsigned place) {
-  fprintf(out, "  place %u (column %u, row %u): ", s->in.place_number[place], column_of(s, place), row_of(s, place));
+  const naming n = input_naming(&s->in);
+  fprintf(out, "  place %s (column %u, row %u): ", naming_place(&n, place).text, column_of(s, place), row_of(s, place));
   if (s->o->history != NULL)
     fprintf(out, "%.4g -> %.4g, found %s\n", s->before[place], s->after[place],
             counted(s->tally.found[place], "time").text);

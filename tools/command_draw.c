@@ -65,7 +65,7 @@ typedef struct {
   drawing_seeker seeker[QTR_MAX_SEEKERS];
   table_route route[QTR_MAX_SEEKERS];
   uint16_t number[QTR_MAX_PLACES]; /* of a table's places, in the input */
-  char name[128];                  /* of a table's mission */
+  qtr_names names;                 /* that a table holds */
   qtr_cell *trail[QTR_MAX_SEEKERS];
   char text[LINES_MOST][LINE_SIZE];
   const char *line[LINES_MOST];
@@ -121,6 +121,7 @@ static int from_input(sheet *s, const options *o, fault *why) {
   s->d.cell_size = desk->drawn.in.frame.metric ? desk->drawn.in.frame.cell_size : 0.0;
   s->d.places = mission->places;
   s->d.number = desk->drawn.in.place_number;
+  s->d.names = &desk->drawn.in.names;
   memcpy(s->place, mission->place, sizeof s->place);
   memcpy(s->likelihood, mission->weight, sizeof s->likelihood);
   s->d.seekers = mission->seekers;
@@ -188,9 +189,10 @@ static int from_table(sheet *s, const table *t, fault *why) {
     s->likelihood[place] = table_probability(t, place);
   }
   s->d.seekers = policy->board.seekers;
-  for (unsigned place = 0; place < policy->board.places; place++) s->number[place] = (uint16_t)table_number(t, place);
+  for (unsigned place = 0; place < policy->board.places; place++) s->number[place] = t->number[place];
   s->d.number = s->number;
-  snprintf(s->name, sizeof s->name, "%s", t->name);
+  s->names = t->names;
+  s->d.names = &s->names;
   table_routes(t, s->route);
   add_certificate(s, t);
   for (int seeker = 0; seeker < s->d.seekers; seeker++)
@@ -285,8 +287,8 @@ static int write_picture(const sheet *s, const options *o, fault *why) {
 static const char *title_of(const options *o) {
   static char title[256];
   const char *slash = strrchr(o->input, '/');
-  if (desk->drawn.in.name[0] != '\0') return desk->drawn.in.name;
-  if (picture.name[0] != '\0') return picture.name;
+  if (desk->drawn.in.names.mission[0] != '\0') return desk->drawn.in.names.mission;
+  if (picture.names.mission[0] != '\0') return picture.names.mission;
   snprintf(title, sizeof title, "%s", slash != NULL ? slash + 1 : o->input);
   char *suffix = strrchr(title, '.');
   if (suffix != NULL && suffix != title && strcmp(suffix, ".qtr") == 0) *suffix = '\0';

@@ -81,7 +81,6 @@ static int solve(const options *o, report *r, fault *why) {
   free(steps);
   if (status != 0) return -1;
   fill_report(r, &solution, &solved->in.mission);
-  report_number_routes(r);
   r->seconds = clock_seconds() - begin;
   return report_write(r, why);
 }

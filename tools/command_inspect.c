@@ -47,10 +47,12 @@ static double told_probability(const table *t, unsigned place) {
 }
 
 static void write_places(json *j, const table *t) {
+  const naming n = table_naming(t);
   json_array(j, "place");
   for (unsigned place = 0; place < t->policy.board.places; place++) {
     json_flat_object(j, NULL);
-    if (t->claim.numbers != NULL) json_integer(j, "number", table_number(t, place));
+    if (t->claim.numbers != NULL) json_integer(j, "number", t->number[place]);
+    naming_json_place(&n, j, place);
     json_integer(j, "column", table_column(t, qtr_policy_cell(&t->policy, place)));
     json_integer(j, "row", table_row(t, qtr_policy_cell(&t->policy, place)));
     json_number(j, "probability", told_probability(t, place));
@@ -61,6 +63,7 @@ static void write_places(json *j, const table *t) {
   for (unsigned seeker = 0; seeker < t->policy.board.seekers; seeker++) {
     const unsigned node = (unsigned)t->policy.board.places + t->policy.board.start_of[seeker];
     json_flat_object(j, NULL);
+    naming_json_seeker(&n, j, seeker);
     json_integer(j, "column", table_column(t, qtr_policy_cell(&t->policy, node)));
     json_integer(j, "row", table_row(t, qtr_policy_cell(&t->policy, node)));
     json_end_object(j);
@@ -123,6 +126,7 @@ static void write_json(FILE *out, const void *what) {
   const inspection *i = what;
   const table *t = &i->t;
   const table_certificate c = table_certificate_of(&t->policy);
+  const naming n = table_naming(t);
   char version[40];
   json j;
   snprintf(version, sizeof version, "%u.%u.%u", c.version[0], c.version[1], c.version[2]);
@@ -133,6 +137,7 @@ static void write_json(FILE *out, const void *what) {
   json_integer(&j, "format", t->policy.format);
   json_string(&j, "version", version);
   json_natural(&j, "bytes", t->bytes.size);
+  if (t->names.mission[0] != '\0') json_string(&j, "name", t->names.mission);
   json_string(&j, "identity", identity_of(t).text);
   json_integer(&j, "columns", t->claim.map_columns);
   json_integer(&j, "rows", t->claim.map_rows);
@@ -154,7 +159,7 @@ static void write_json(FILE *out, const void *what) {
   fit_json(&j, &i->fit);
   write_map(&j, t);
   write_places(&j, t);
-  report_json_routes(&j, i->routes, t->policy.board.seekers);
+  report_json_routes(&j, i->routes, &n);
   json_end_object(&j);
 }
 
@@ -162,6 +167,7 @@ static void write_text(FILE *out, const void *what) {
   const inspection *i = what;
   const table *t = &i->t;
   const table_certificate c = table_certificate_of(&t->policy);
+  const naming n = table_naming(t);
   fprintf(out, "%s: a sound policy table, %s, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", i->o->input,
           counted(t->bytes.size, "byte").text, c.version[0], c.version[1], c.version[2], c.seed);
   fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->claim.map_columns, t->claim.map_rows,
@@ -172,15 +178,8 @@ static void write_text(FILE *out, const void *what) {
           c.bound, 100.0 * c.gap);
   fprintf(out, "identity %s: robots of another one are not believed\n", identity_of(t).text);
   fprintf(out, "%s of %d-byte keys\n", counted(t->policy.records, "state").text, 4 * t->policy.board.keys.words);
-  report_routes(out, i->routes, t->policy.board.seekers);
+  report_routes(out, i->routes, &n);
   fit_write(out, &i->fit);
-}
-
-/* As the input numbers its places. */
-static void number_routes(inspection *i) {
-  for (int seeker = 0; seeker < i->t.policy.board.seekers; seeker++)
-    for (int visit = 0; visit < i->routes[seeker].places; visit++)
-      i->routes[seeker].place[visit] = (uint16_t)table_number(&i->t, i->routes[seeker].place[visit]);
 }
 
 int command_inspect(int argc, char **argv) {
@@ -194,7 +193,6 @@ int command_inspect(int argc, char **argv) {
   if (products_check(&o, &why) != 0) return fault_exit(&why);
   fit_take(&i.fit, &i.t.policy);
   table_routes(&i.t, i.routes);
-  number_routes(&i);
   int status = print_report(&o, write_json, write_text, &i, &why);
   if (status == 0) status = fit_check(&i.fit, o.input, &why);
   table_free(&i.t);

@@ -110,24 +110,13 @@ static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *
   return 0;
 }
 
-/* Behind what a robot reads. */
-static int add_names(file_bytes *bytes, const input *in, fault *why) {
-  const uint32_t more = qtr_names_size(in->name, &in->geo);
-  uint8_t *larger = realloc(bytes->data, bytes->size + more);
-  if (larger == NULL) return fault_set(why, "no memory for the table");
-  qtr_names_write(larger + bytes->size, in->name, &in->geo);
-  bytes->data = larger;
-  bytes->size += more;
-  return 0;
-}
-
 /* The table, opened once as a robot will, gives the routes of the report: what is told is what was written. */
 static int write_table(report *r, const options *o, fault *why) {
   table t = {.bytes = {NULL, 0}};
   const uint32_t size = make_table(r, o, &t.bytes.data, why);
   if (size == 0) return -1;
   t.bytes.size = size;
-  if (add_names(&t.bytes, &learnt->p.in, why) != 0) {
+  if (table_add_names(&t.bytes, &learnt->p.in.names, &learnt->p.in.geo, why) != 0) {
     table_free(&t);
     return -1;
   }
@@ -140,7 +129,6 @@ static int write_table(report *r, const options *o, fault *why) {
     r->table_bytes = whole;
     r->table_records = t.policy.records;
     table_routes(&t, r->route);
-    report_number_routes(r);
     if (o->output != NULL) status = write_bytes(o->output, &t, false, why);
     if (status == 0 && o->c_output != NULL) status = write_bytes(o->c_output, &t, true, why);
   }

@@ -32,7 +32,7 @@ static const char outro[] =
     "In JSON: visits are each place's first one; duplicates counts the later ones; value and expected_time are what "
     "the\n"
     "first visits earn (expected_time null if a place was left).\n"
-    "Places have the numbers that the input gave them.\n"
+    "Places and robots go by their names, or else by the numbers that the input gave them; options take either.\n"
     "\n"
     "Exit status: 0 found, or all places visited; 2 bad input; 4 places were left unvisited and no target was "
     "found;\n" STATUS_OF_SIGNAL("nothing half-written");
@@ -61,10 +61,12 @@ static int count_left(const account *a) {
 }
 
 static void write_visits(json *j, const simulation *s, const table *t, const options *o) {
+  const naming n = table_naming(t);
   json_array(j, "visits");
   for (int i = 0; i < s->visits; i++) {
     json_flat_object(j, NULL);
-    json_integer(j, "place", table_number(t, s->visit[i].place));
+    json_integer(j, "place", t->number[s->visit[i].place]);
+    naming_json_place(&n, j, s->visit[i].place);
     json_integer(j, "seeker", s->visit[i].seeker);
     json_integer(j, "step", s->visit[i].step);
     json_end_object(j);
@@ -72,7 +74,7 @@ static void write_visits(json *j, const simulation *s, const table *t, const opt
   json_end_array(j);
   json_flat_array(j, "unvisited");
   for (int place = 0; place < t->policy.board.places; place++)
-    if (!was_visited(s, o, place)) json_integer(j, NULL, table_number(t, (unsigned)place));
+    if (!was_visited(s, o, place)) json_integer(j, NULL, t->number[place]);
   json_end_array(j);
 }
 
@@ -94,7 +96,7 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "off_table", s->off_table);
   json_natural(&j, "duplicates", (uint64_t)s->duplicates);
   if (o->game.target != SIMULATION_NO_TARGET) {
-    json_integer(&j, "target", table_number(t, (unsigned)o->game.target));
+    json_integer(&j, "target", t->number[o->game.target]);
     if (s->found_step != QTR_NEVER)
       json_natural(&j, "found_step", s->found_step);
     else
@@ -111,15 +113,16 @@ static void write_text(FILE *out, const void *what) {
   const simulation *s = &a->s;
   const table *t = &a->t;
   const options *o = a->o;
+  const naming n = table_naming(t);
   fprintf(out, "%s: %d of %s visited by step %" PRIu32 ", %d visited again, %s off the table\n", o->input, s->visits,
           counted(t->policy.board.places, "place").text, s->end, s->duplicates, counted(s->off_table, "choice").text);
   for (int i = 0; i < s->visits; i++)
-    fprintf(out, "  step %4" PRIu32 "  seeker %d  place %u\n", s->visit[i].step, s->visit[i].seeker,
-            table_number(t, s->visit[i].place));
+    fprintf(out, "  step %4" PRIu32 "  seeker %s  place %s\n", s->visit[i].step,
+            naming_seeker(&n, s->visit[i].seeker).text, naming_place(&n, s->visit[i].place).text);
   for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
-    if (!was_visited(s, o, place)) fprintf(out, "  place %u was not visited\n", table_number(t, (unsigned)place));
+    if (!was_visited(s, o, place)) fprintf(out, "  place %s was not visited\n", naming_place(&n, (unsigned)place).text);
   if (s->found_step != QTR_NEVER)
-    fprintf(out, "target found at place %u, step %" PRIu32 "\n", table_number(t, (unsigned)o->game.target),
+    fprintf(out, "target found at place %s, step %" PRIu32 "\n", naming_place(&n, (unsigned)o->game.target).text,
             s->found_step);
   else if (isnan(s->expected_time))
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
@@ -152,35 +155,35 @@ static int deploy(account *a, fault *why) {
                    o->input);
 }
 
-static int number_place(unsigned *place, const char *option, unsigned number, const table *t, fault *why) {
-  const int found = table_place(t, number);
-  const unsigned last = t->policy.board.places - 1u;
-  *place = (unsigned)found;
-  if (found >= 0) return 0;
-  return fault_set(why, "--%s: there is no place %u; the table has places %u to %u%s", option, number,
-                   table_number(t, 0), table_number(t, last),
-                   t->claim.numbers != NULL ? " but those that were left out" : "");
+/* ---- who and where the options mean ---- */
+
+static int meant_seekers(int *seeker, const char *option, const char *word, const naming *n, fault *why) {
+  char wrong[FAULT_LINE];
+  *seeker = naming_find_seeker(n, word, wrong);
+  return *seeker >= 0 ? 0 : fault_set(why, "--%s: %s", option, wrong);
 }
 
-/* The options have the input's numbers, the simulation the table's. */
-static int number_places(options *o, const table *t, fault *why) {
-  const qtr_places asked = o->game.clear;
-  unsigned place;
-  qtr_places_clear(&o->game.clear);
-  for (unsigned number = 0; number < QTR_MAX_PLACES; number++) {
-    if (!qtr_places_has(&asked, number)) continue;
-    if (number_place(&place, "clear", number, t, why) != 0) return -1;
-    qtr_places_add(&o->game.clear, place);
-  }
-  if (o->game.target == SIMULATION_NO_TARGET) return 0;
-  if (number_place(&place, "target", (unsigned)o->game.target, t, why) != 0) return -1;
-  o->game.target = (int)place;
-  return 0;
+static int meant_places(options *o, const naming *n, fault *why) {
+  char wrong[FAULT_LINE];
+  for (int i = 0; i < o->clears; i++)
+    if (naming_list_places(&o->game.clear, n, o->clear[i], wrong) != 0) return fault_set(why, "--clear: %s", wrong);
+  if (o->target == NULL) return 0;
+  o->game.target = naming_find_place(n, o->target, wrong);
+  return o->game.target >= 0 ? 0 : fault_set(why, "--target: %s", wrong);
+}
+
+static int find_meant(options *o, const table *t, fault *why) {
+  const naming n = table_naming(t);
+  for (int i = 0; i < o->game.lates; i++)
+    if (meant_seekers(&o->game.late[i].seeker, "late", o->late[i], &n, why) != 0) return -1;
+  for (int i = 0; i < o->game.losts; i++)
+    if (meant_seekers(&o->game.lost[i].seeker, "lost", o->lost[i], &n, why) != 0) return -1;
+  return meant_places(o, &n, why);
 }
 
 /* The table is open. */
 static int simulate(account *a, fault *why) {
-  if (products_check(a->o, why) != 0 || number_places(a->o, &a->t, why) != 0 || deploy(a, why) != 0) return -1;
+  if (products_check(a->o, why) != 0 || find_meant(a->o, &a->t, why) != 0 || deploy(a, why) != 0) return -1;
   if (simulation_run(&a->s, &a->t, &a->deployment, &a->o->game, why) != 0) return -1;
   return print_report(a->o, write_json, write_text, a, why);
 }

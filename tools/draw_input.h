@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "quarter/config.h"
+#include "quarter/names.h"
 
 typedef struct {
   qtr_cell start;
@@ -26,6 +27,7 @@ typedef struct {
   const qtr_cell *place;
   const double *likelihood; /* of each place; any unit */
   const uint16_t *number;   /* of each place, as it is shown; NULL: its index */
+  const qtr_names *names;   /* of places and seekers; NULL: none has one */
   int seekers;
   const drawing_seeker *seeker;
   int lines;               /* of the certificate, for the legend */

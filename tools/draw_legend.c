@@ -6,7 +6,12 @@
 
 enum { SEEKER_ROW = 24, LINE_ROW = 19, SIZES_ROW = 52, KEY_ROW = 28, GAP = 14 };
 
-static void seeker_text(char text[80], const drawing_seeker *s) {
+#define SEEKER_TEXT (QTR_SITE_NAME_BYTES + 80)
+
+static void seeker_text(char text[SEEKER_TEXT], const drawing *d, int seeker) {
+  const drawing_seeker *s = &d->seeker[seeker];
+  const char *name = d->names != NULL ? d->names->seeker[seeker] : "";
+  if (*name != '\0') text += sprintf(text, "%s: ", name);
   if (s->places == 0 && s->trail == NULL)
     snprintf(text, 80, "starts here");
   else if (s->places == 0)
@@ -38,6 +43,11 @@ static int key_height(const drawing *d) {
 double draw_legend_width(const draw_page *page) {
   double width = 236;
   for (int l = 0; l < page->d->lines; l++) width = fmax(width, draw_text_width(page->d->line[l], 13) + 12);
+  for (int i = 0; i < page->d->seekers; i++) {
+    char text[SEEKER_TEXT];
+    seeker_text(text, page->d, i);
+    width = fmax(width, draw_text_width(text, 13) + 60);
+  }
   return fmin(width, 420);
 }
 
@@ -54,14 +64,14 @@ static void put_text(const draw_page *page, double x, double y, const char *attr
 
 static double draw_seekers(const draw_page *page, double y) {
   for (int seeker = 0; seeker < page->d->seekers; seeker++, y += SEEKER_ROW) {
-    char text[80], colour[8];
-    seeker_text(text, &page->d->seeker[seeker]);
+    char text[SEEKER_TEXT], colour[8];
+    seeker_text(text, page->d, seeker);
     fprintf(page->out, "<path stroke=\"%s\" stroke-width=\"3\" stroke-linecap=\"round\"%s d=\"M%.2f %.2fh28\"/>\n",
             draw_colour(colour, seeker), draw_dashes(seeker), page->legend_x + 22, y + 9);
     fputs("<g text-anchor=\"middle\" font-weight=\"bold\">", page->out);
     draw_badge(page, seeker, page->legend_x + 9, y + 9, 17);
     fputs("</g>", page->out);
-    put_text(page, page->legend_x + 60, y + 13.5, "", text, 80);
+    put_text(page, page->legend_x + 60, y + 13.5, "", text, SEEKER_TEXT);
   }
   return y;
 }

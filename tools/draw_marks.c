@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "draw_parts.h"
+#include "host/base/xml.h"
 
 void draw_badge(const draw_page *page, int seeker, double x, double y, double size) {
   char colour[8];
@@ -52,8 +53,9 @@ static void draw_place(draw_page *page, int place) {
   const double radius = place_radius(page, place);
   const int wears = wearer(page, place);
   char colour[8];
-  fprintf(page->out, "<g class=\"place\"><title>place %d, likelihood %.4g", draw_place_number(d, place),
-          d->likelihood[place]);
+  fputs("<g class=\"place\"><title>place ", page->out);
+  xml_text(page->out, draw_place_label(d, place).text, QTR_SITE_NAME_BYTES);
+  fprintf(page->out, ", likelihood %.4g", d->likelihood[place]);
   if (visitor >= 0)
     fprintf(page->out, ", seeker %d, visit %d, step %lu", visitor, page->visit[place] + 1,
             (unsigned long)d->seeker[visitor].step[page->visit[place]]);
@@ -152,41 +154,45 @@ void draw_ordinal(char text[16], int number) {
 }
 
 /* A, B, ... Z, then numbers. */
-static void spot_mark(char text[16], int spot) {
-  snprintf(text, 16, spot < 26 ? "%c" : "%d", spot < 26 ? 'A' + spot : spot + 1);
+static void spot_mark(char text[QTR_SITE_NAME_BYTES], int spot) {
+  snprintf(text, QTR_SITE_NAME_BYTES, spot < 26 ? "%c" : "%d", spot < 26 ? 'A' + spot : spot + 1);
 }
 
-/* What stands inside a place: its spot's letter, or its number where there is room. False: nothing. */
+/* What stands inside a place: its spot's letter, or what it is called where there is room. False: nothing. */
 static bool draw_inside(const draw_page *page, int place) {
   const draw_point at = place_centre(page, place);
   const double radius = place_radius(page, place), size = fmin(14, fmax(10, radius * 1.05));
   const int wears = wearer(page, place);
-  char text[16];
+  naming_label label = draw_place_label(page->d, place);
   if (page->d->spot != NULL)
-    spot_mark(text, page->d->spot[place]);
-  else
-    snprintf(text, sizeof text, "%d", draw_place_number(page->d, place));
-  if (page->d->spot == NULL && draw_text_width(text, size) > 2 * radius - 3) return false;
-  fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" font-weight=\"bold\" fill=\"%s\">%s</text>\n",
-          at.x, at.y + 0.36 * size, size, wears < 0 ? DRAW_INK : draw_ink(wears), text);
+    spot_mark(label.text, page->d->spot[place]);
+  else if (draw_text_width(label.text, size) > 2 * radius - 3)
+    return false;
+  fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" font-weight=\"bold\" fill=\"%s\">", at.x,
+          at.y + 0.36 * size, size, wears < 0 ? DRAW_INK : draw_ink(wears));
+  xml_text(page->out, label.text, QTR_SITE_NAME_BYTES);
+  fputs("</text>\n", page->out);
   return page->d->spot == NULL;
 }
 
 static void write_label(draw_page *page, const draw_box *box, const char *number, const char *order) {
   draw_take(page, box);
   fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"start\">", box->x + 1, box->y + box->height - 2.5);
-  if (*number != '\0')
-    fprintf(page->out, "<tspan font-weight=\"bold\">%s</tspan>%s", number, *order != '\0' ? " " : "");
+  if (*number != '\0') {
+    fputs("<tspan font-weight=\"bold\">", page->out);
+    xml_text(page->out, number, QTR_SITE_NAME_BYTES);
+    fprintf(page->out, "</tspan>%s", *order != '\0' ? " " : "");
+  }
   fprintf(page->out, "%s</text>\n", order);
 }
 
 /* The number, if it is not inside, and the order. Where there is no room for both the order is left to the title. */
 static void draw_label(draw_page *page, int place, bool numbered) {
-  char number[16] = "", order[16] = "", both[36];
+  char number[QTR_SITE_NAME_BYTES] = "", order[16] = "", both[QTR_SITE_NAME_BYTES + 20];
   const draw_point at = place_centre(page, place);
   const double nearest = place_radius(page, place) + 1;
   draw_box box;
-  if (!numbered) snprintf(number, sizeof number, "%d", draw_place_number(page->d, place));
+  if (!numbered) snprintf(number, sizeof number, "%s", draw_place_label(page->d, place).text);
   if (page->visitor[place] >= 0) draw_ordinal(order, page->visit[place] + 1);
   snprintf(both, sizeof both, "%s%s%s", number, !numbered && *order != '\0' ? " " : "", order);
   if (*both == '\0') return;

@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "draw_input.h"
+#include "host/base/naming.h"
 
 #define DRAW_GROUND "#ffffff"
 #define DRAW_INK "#1f2a36"
@@ -59,8 +60,14 @@ void draw_number(FILE *out, double number);
 
 /* ---- the parts, from the bottom to the top ---- */
 
-static inline int draw_place_number(const drawing *d, int place) {
-  return d->number != NULL ? d->number[place] : place;
+/* What a place is called: its name, or else its number. */
+static inline naming_label draw_place_label(const drawing *d, int place) {
+  naming_label label;
+  if (d->names != NULL && d->names->place[place][0] != '\0')
+    snprintf(label.text, sizeof label.text, "%s", d->names->place[place]);
+  else
+    snprintf(label.text, sizeof label.text, "%d", d->number != NULL ? d->number[place] : place);
+  return label;
 }
 
 draw_point draw_centre(const draw_page *page, qtr_cell cell);

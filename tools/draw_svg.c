@@ -92,6 +92,12 @@ static bool fits(const drawing *d) {
 
 /* ---- the page ---- */
 
+static void describe_visit(const draw_page *page, const drawing_seeker *seeker, int visit) {
+  fprintf(page->out, "%s place ", visit > 0 ? "," : "");
+  xml_text(page->out, draw_place_label(page->d, seeker->place[visit]).text, QTR_SITE_NAME_BYTES);
+  fprintf(page->out, " at step %lu", (unsigned long)seeker->step[visit]);
+}
+
 static void describe(const draw_page *page) {
   const drawing *d = page->d;
   fputs("<title id=\"title\">", page->out);
@@ -101,9 +107,7 @@ static void describe(const draw_page *page) {
   for (int i = 0; i < d->seekers; i++) {
     fprintf(page->out, " Seeker %d visits", i);
     if (d->seeker[i].places == 0) fputs(" no place", page->out);
-    for (int v = 0; v < d->seeker[i].places; v++)
-      fprintf(page->out, "%s place %d at step %lu", v > 0 ? "," : "", draw_place_number(d, d->seeker[i].place[v]),
-              (unsigned long)d->seeker[i].step[v]);
+    for (int v = 0; v < d->seeker[i].places; v++) describe_visit(page, &d->seeker[i], v);
     fputc('.', page->out);
   }
   fputs("</desc>\n", page->out);

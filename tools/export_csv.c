@@ -31,7 +31,7 @@ static void put_point(FILE *out, const table *t, int robot, size_t index, const 
   fprintf(out, ",%zu,", index);
   if (p->place != WAY_NO_PLACE) {
     name = table_place_name(t, (unsigned)p->place);
-    fprintf(out, "%u,", table_number(t, (unsigned)p->place));
+    fprintf(out, "%u,", t->number[p->place]);
     put_text(out, name.text);
   } else {
     fputc(',', out);

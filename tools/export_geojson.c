@@ -50,7 +50,7 @@ static void put_place(json *j, const table *t, const export_way *w, size_t i) {
   begin_feature(j, "Point");
   put_position(j, "coordinates", p);
   begin_properties(j, t, w, is_place ? table_place_name(t, (unsigned)p->place).text : "start");
-  if (is_place) json_integer(j, "place", table_number(t, (unsigned)p->place));
+  if (is_place) json_integer(j, "place", t->number[p->place]);
   if (is_place) json_number(j, "likelihood", table_probability(t, (unsigned)p->place));
   json_natural(j, "step", p->step);
   if (!isnan(p->seconds)) json_number(j, "seconds", p->seconds);

@@ -50,18 +50,13 @@ static int take_explore(void *settings, const option_record *record, const char 
   return 0;
 }
 
-/* The seeker before a mark that has just been found in `value`. */
-static int take_seeker(int *seeker, const char *name, const char *value, const char *mark, fault *why) {
-  char word[32];
-  uint64_t number;
-  snprintf(word, sizeof word, "%.*s", (int)(mark - value), value);
-  if (option_count(&number, name, word, 0, QTR_MAX_SEEKERS - 1, why) != 0) return -1;
-  *seeker = (int)number;
-  return 0;
+/* The word before a mark that has been found in `value`: who that is, the table tells. */
+static void take_who(char *who, const char *value, const char *mark) {
+  snprintf(who, QTR_SITE_NAME_BYTES, "%.*s", (int)(mark - value), value);
 }
 
 static bool splits(const char *value, const char *mark) {
-  return mark != NULL && mark != value && mark - value < 32;
+  return mark != NULL && mark != value && mark - value < QTR_SITE_NAME_BYTES;
 }
 
 static int too_many(const char *name, fault *why) {
@@ -71,14 +66,13 @@ static int too_many(const char *name, fault *why) {
 /* SEEKER:+STEPS or SEEKER:xFACTOR */
 static int take_late(void *settings, const option_record *record, const char *value, fault *why) {
   options *o = settings;
-  const char *name = record->name, *colon = strchr(value, ':');
+  const char *name = record->name, *colon = strrchr(value, ':');
   if (o->game.lates == QTR_MAX_SEEKERS) return too_many(name, why);
   if (!splits(value, colon) || (colon[1] != '+' && colon[1] != 'x'))
     return fault_set(why, "--%s %s: say SEEKER:+STEPS or SEEKER:xFACTOR, as 1:+30 or 1:x2.5", name, value);
   simulation_late *late = &o->game.late[o->game.lates];
   *late = (simulation_late){0, 0, 1.0};
-  if (take_seeker(&late->seeker, name, value, colon, why) != 0) return -1;
-  o->game.lates++;
+  take_who(o->late[o->game.lates++], value, colon);
   if (colon[1] == 'x')
     return option_number(&late->factor, name, colon + 2, "from 1 to 1000 after the x", 1.0, 1000.0, why);
   uint64_t wait;
@@ -90,15 +84,14 @@ static int take_late(void *settings, const option_record *record, const char *va
 /* SEEKER@STEP */
 static int take_lost(void *settings, const option_record *record, const char *value, fault *why) {
   options *o = settings;
-  const char *name = record->name, *at = strchr(value, '@');
+  const char *name = record->name, *at = strrchr(value, '@');
   uint64_t step;
   if (o->game.losts == QTR_MAX_SEEKERS) return too_many(name, why);
   if (!splits(value, at)) return fault_set(why, "--%s %s: say SEEKER@STEP, as 1@40", name, value);
   simulation_lost *lost = &o->game.lost[o->game.losts];
-  if (take_seeker(&lost->seeker, name, value, at, why) != 0) return -1;
   if (option_count(&step, name, at + 1, 0, 4000000000u, why) != 0) return -1;
   lost->step = (uint32_t)step;
-  o->game.losts++;
+  take_who(o->lost[o->game.losts++], value, at);
   return 0;
 }
 
@@ -115,16 +108,11 @@ static int take_from(void *settings, const option_record *record, const char *va
   return 0;
 }
 
-/* PLACE,PLACE,... */
+/* PLACE,PLACE,...: which these are, the input or the table tells. */
 static int take_clear(void *settings, const option_record *record, const char *value, fault *why) {
   options *o = settings;
-  for (const char *at = value; at != NULL; at = strchr(at, ',') != NULL ? strchr(at, ',') + 1 : NULL) {
-    char word[16];
-    uint64_t place;
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(at, ","), at);
-    if (option_count(&place, record->name, word, 0, QTR_MAX_PLACES - 1, why) != 0) return -1;
-    qtr_places_add(&o->game.clear, (unsigned)place);
-  }
+  if (o->clears == OPTIONS_LISTS) return fault_set(why, "--%s: given more than %d times", record->name, OPTIONS_LISTS);
+  o->clear[o->clears++] = value;
   return 0;
 }
 
@@ -283,12 +271,9 @@ option_table option_records = {
      OWN(take_from)},
     {.name = "clear",
      .argument = "PLACE,...",
-     .help = "places cleared beforehand, as every robot knows",
+     .help = "places cleared beforehand, as every robot knows: their names or numbers",
      OWN(take_clear)},
-    {.name = "target",
-     .argument = "PLACE",
-     .help = "where the target is; its finder stops everyone",
-     COUNT(game.target, 0, QTR_MAX_PLACES - 1)},
+    {.name = "target", .argument = "PLACE", .help = "where the target is; its finder stops everyone", TEXT(target)},
     {.name = "regions", .help = "draw the borders of the map's regions", MARK(regions)},
     {.name = "spots", .help = "mark the places of each hiding spot alike, for inputs", MARK(spots)},
     {.name = "format", .argument = "FORMAT", .help = "of the output; else as its name ends", TEXT(format)},

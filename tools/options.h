@@ -10,6 +10,8 @@
 #include "host/plan/plan_config.h"
 #include "host/plan/simulation.h"
 
+#define OPTIONS_LISTS 16 /* of places, each with an option of its own */
+
 typedef struct {
   const char *input;
   const char *output;    /* -o; NULL: none */
@@ -24,7 +26,11 @@ typedef struct {
   double time_limit;       /* seconds; 0: none */
   uint64_t episodes;       /* 0: no limit */
   uint64_t budget_entries; /* 0: none */
-  simulation_config game;
+  simulation_config game;  /* who and where are words yet, below, until there is a table */
+  char late[QTR_MAX_SEEKERS][QTR_SITE_NAME_BYTES], lost[QTR_MAX_SEEKERS][QTR_SITE_NAME_BYTES]; /* of game's, in order */
+  const char *target;                                                                          /* NULL: none */
+  int clears;
+  const char *clear[OPTIONS_LISTS]; /* lists of places */
   /* drawing */
   bool regions, spots;
   /* writing for others */

@@ -9,23 +9,27 @@
 #include "host/table/certificate.h"
 #include "print.h"
 
-void report_number_routes(report *r) {
-  for (int seeker = 0; seeker < r->p->in.mission.seekers; seeker++)
-    for (int i = 0; i < r->route[seeker].places; i++)
-      r->route[seeker].place[i] = r->p->in.place_number[r->route[seeker].place[i]];
+static void write_route(json *j, const table_route *route, const naming *n) {
+  json_array(j, "places");
+  for (int i = 0; i < route->places; i++) json_integer(j, NULL, n->number[route->place[i]]);
+  json_end_array(j);
+  if (naming_has_places(n)) {
+    json_array(j, "names");
+    for (int i = 0; i < route->places; i++) json_string(j, NULL, naming_place(n, route->place[i]).text);
+    json_end_array(j);
+  }
+  json_array(j, "steps");
+  for (int i = 0; i < route->places; i++) json_integer(j, NULL, route->step[i]);
+  json_end_array(j);
 }
 
-void report_json_routes(json *j, const table_route *routes, int seekers) {
+void report_json_routes(json *j, const table_route *routes, const naming *n) {
   json_array(j, "routes");
-  for (int seeker = 0; seeker < seekers; seeker++) {
+  for (int seeker = 0; seeker < n->seekers; seeker++) {
     json_flat_object(j, NULL);
     json_integer(j, "seeker", seeker);
-    json_array(j, "places");
-    for (int i = 0; i < routes[seeker].places; i++) json_integer(j, NULL, routes[seeker].place[i]);
-    json_end_array(j);
-    json_array(j, "steps");
-    for (int i = 0; i < routes[seeker].places; i++) json_integer(j, NULL, routes[seeker].step[i]);
-    json_end_array(j);
+    naming_json_seeker(n, j, (unsigned)seeker);
+    write_route(j, &routes[seeker], n);
     json_end_object(j);
   }
   json_end_array(j);
@@ -45,6 +49,7 @@ static void write_json(FILE *out, const void *what) {
   const report *r = what;
   const qtr_mission *mission = &r->p->in.mission;
   const qtr_certificate *c = &r->certificate;
+  const naming n = input_naming(&r->p->in);
   json j;
   json_begin(&j, out);
   json_object(&j, NULL);
@@ -73,7 +78,7 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "seed", r->o->plan.learner.seed);
   json_natural(&j, "table_bytes", r->table_bytes);
   json_natural(&j, "table_records", r->table_records);
-  report_json_routes(&j, r->route, mission->seekers);
+  report_json_routes(&j, r->route, &n);
   json_flat_array(&j, "place_numbers");
   for (int place = 0; place < mission->places; place++) json_integer(&j, NULL, r->p->in.place_number[place]);
   json_end_array(&j);
@@ -92,12 +97,13 @@ static void write_json(FILE *out, const void *what) {
   json_end_object(&j);
 }
 
-void report_routes(FILE *out, const table_route *route, int seekers) {
-  for (int seeker = 0; seeker < seekers; seeker++) {
-    fprintf(out, "  seeker %d:", seeker);
+void report_routes(FILE *out, const table_route *route, const naming *n) {
+  for (int seeker = 0; seeker < n->seekers; seeker++) {
+    fprintf(out, "  seeker %s:", naming_seeker(n, (unsigned)seeker).text);
     if (route[seeker].places == 0) fprintf(out, " stays at its start");
     for (int i = 0; i < route[seeker].places; i++)
-      fprintf(out, "%s %d (step %" PRIu32 ")", i > 0 ? " ->" : "", route[seeker].place[i], route[seeker].step[i]);
+      fprintf(out, "%s %s (step %" PRIu32 ")", i > 0 ? " ->" : "", naming_place(n, route[seeker].place[i]).text,
+              route[seeker].step[i]);
     fputc('\n', out);
   }
 }
@@ -144,6 +150,7 @@ static void write_negligible(FILE *out, const report *r) {
 static void write_text(FILE *out, const void *what) {
   const report *r = what;
   const qtr_mission *mission = &r->p->in.mission;
+  const naming n = input_naming(&r->p->in);
   fprintf(out, "%s: %s, %s, %s\n", r->o->input, counted(problem_free_cells(r->p), "free cell").text,
           counted(mission->places, "place").text, counted(mission->seekers, "robot").text);
   write_verdict(out, r);
@@ -154,7 +161,7 @@ static void write_text(FILE *out, const void *what) {
             counted(r->q_bytes, "byte").text, r->seconds);
   else
     fprintf(out, "%.3g s\n", r->seconds);
-  report_routes(out, r->route, mission->seekers);
+  report_routes(out, r->route, &n);
   if (r->o->output != NULL)
     fprintf(out, "wrote %s: %s, %s\n", r->o->output, counted(r->table_bytes, "byte").text,
             counted(r->table_records, "state").text);

@@ -26,21 +26,18 @@ typedef struct {
   double seconds;              /* from the travel times to the certificate */
   uint32_t table_bytes;        /* 0: no table was made */
   uint32_t table_records;
-  table_route route[QTR_MAX_SEEKERS]; /* places as the input numbers them */
+  table_route route[QTR_MAX_SEEKERS]; /* places as the mission's */
   bool anywhere;                      /* the table is for any start, or any places cleared */
   anywhere_report any;
   fit fit;
 } report;
 
-/* Let the routes name the places by the input's numbers. They name them by the table's, which knows only those that
- * were not left out. */
-void report_number_routes(report *r);
-
 /* Print or write the report as the options say. 0, or -1 with *why set. */
 int report_write(const report *r, fault *why);
 
-/* The routes as JSON; and as text, "seeker 0: 3 (step 7) -> 5 (12)", a line each. */
-void report_json_routes(json *j, const table_route *routes, int seekers);
-void report_routes(FILE *out, const table_route *route, int seekers);
+/* The routes as JSON, by the input's numbers, with the names beside them; and as text, "seeker 0: 3 (step 7) -> Bay 5
+ * (12)", a line each. */
+void report_json_routes(json *j, const table_route *routes, const naming *n);
+void report_routes(FILE *out, const table_route *route, const naming *n);
 
 #endif

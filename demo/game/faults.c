@@ -32,16 +32,17 @@ static int read_number(tree *yaml, tree_node *item, const char *key, double leas
   return tree_fault(yaml, node, "%s: %.10g is not from %.10g to %.10g", key, *number, least, most);
 }
 
-static int read_robot(tree *yaml, tree_node *item, const char *key, int robots, int *robot) {
+/* Whom a key names, by name or number; -1 if it is not there. */
+static int read_robot(tree *yaml, tree_node *item, const char *key, const table *t, int *robot) {
   tree_node *node = tree_find(yaml, item, key);
-  long number = -1;
+  const naming n = table_naming(t);
+  const char *word;
+  char wrong[FAULT_LINE];
   *robot = -1;
   if (node == NULL) return 0;
-  if (tree_integer(yaml, node, key, &number) != 0) return -1;
-  if (number < 0 || number >= robots)
-    return tree_fault(yaml, node, "%s: there is no robot %ld; they are 0 to %d", key, number, robots - 1);
-  *robot = (int)number;
-  return 0;
+  if (tree_text(yaml, node, key, &word) != 0) return -1;
+  *robot = naming_find_seeker(&n, word, wrong);
+  return *robot >= 0 ? 0 : tree_fault(yaml, node, "%s: %s", key, wrong);
 }
 
 /* ---- what is shut ---- */
@@ -69,15 +70,17 @@ static int read_position(tree *yaml, tree_node *node, const table *t, qtr_cell *
                     column, row);
 }
 
-/* A place by its number, or a cell by its column and row on the map. */
+/* A place by its name or number, or a cell by its column and row on the map. */
 static int read_shut(tree *yaml, tree_node *item, const table *t, qtr_cell *cell) {
   tree_node *node = tree_find(yaml, item, "shut");
-  long place;
+  const naming n = table_naming(t);
+  const char *word;
+  char wrong[FAULT_LINE];
   if (tree_find(yaml, node, "column") != NULL || tree_find(yaml, node, "row") != NULL)
     return read_position(yaml, node, t, cell);
-  if (tree_integer(yaml, node, "shut", &place) != 0) return -1;
-  if (place < 0 || place >= t->policy.board.places)
-    return tree_fault(yaml, node, "shut: there is no place %ld; they are 0 to %d", place, t->policy.board.places - 1);
+  if (tree_text(yaml, node, "shut", &word) != 0) return -1;
+  const int place = naming_find_place(&n, word, wrong);
+  if (place < 0) return tree_fault(yaml, node, "shut: %s", wrong);
   *cell = qtr_policy_cell(&t->policy, (unsigned)place);
   return 0;
 }
@@ -159,7 +162,7 @@ static int read_fault(fault_script *script, tree *yaml, tree_node *item, const t
   if (name == NULL || check_company(yaml, item, name->kind) != 0) return -1;
   event.kind = name->kind;
   if (read_number(yaml, item, "at", 0.0, LATEST, 0.0, &event.at) != 0) return -1;
-  if (name->whose != NULL && read_robot(yaml, item, name->whose, t->policy.board.seekers, &event.robot) != 0) return -1;
+  if (name->whose != NULL && read_robot(yaml, item, name->whose, t, &event.robot) != 0) return -1;
   return read_rest(script, yaml, item, t, name, &event);
 }
 

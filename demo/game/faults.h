@@ -8,6 +8,8 @@
  *     - {at: 12, shut: 7}              place 7 is shut: nobody gets to it any more, once none is in its cell
  *     - {at: 12, shut: {column: 4, row: 9}}   so is this cell of the map: a door
  *     - {at: 20, reset: 1, for: 3}     robot 1 has no power for 3 seconds, and goes on from what it had saved
+ *
+ * Robots and places go by their names, or else by their numbers.
  */
 #ifndef QUARTER_DEMO_FAULTS_H
 #define QUARTER_DEMO_FAULTS_H

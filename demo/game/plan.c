@@ -14,7 +14,7 @@
 #include "quarter/objective.h"
 #include "quarter/status.h"
 
-_Static_assert(DEMO_NAME_SIZE >= INPUT_NAME_SIZE, "a name that an input may have is shown whole");
+_Static_assert(DEMO_NAME_SIZE >= QTR_NAME_BYTES, "a name that an input may have is shown whole");
 
 static study *learnt;
 static plan_config asked;
@@ -51,6 +51,10 @@ static int learn_table(table *t, double seconds, fault *why) {
   t->bytes.data = malloc(size);
   t->bytes.size = size;
   int32_t status = t->bytes.data != NULL ? qtr_export(learnt->learner, t->bytes.data, size) : QTR_ERR_SPACE;
+  if (status > 0 && table_add_names(&t->bytes, &learnt->p.in.names, &learnt->p.in.geo, why) != 0) {
+    table_free(t);
+    return -1;
+  }
   if (status > 0) status = table_open_bytes(t);
   if (status == QTR_OK) return 0;
   table_free(t);
@@ -147,7 +151,9 @@ static int save_table(const table *t, const char *path, fault *why) {
 static void name_mission(plan *p) {
   const char *mission = learnt->p.in.path;
   const char *slash = strrchr(mission, '/');
-  const char *name = learnt->p.in.name[0] != '\0' ? learnt->p.in.name : slash != NULL ? slash + 1 : mission;
+  const char *name = learnt->p.in.names.mission[0] != '\0' ? learnt->p.in.names.mission
+                     : slash != NULL                       ? slash + 1
+                                                           : mission;
   snprintf(p->name, sizeof p->name, "%.*s", (int)sizeof p->name - 1, name);
 }
 

@@ -92,10 +92,13 @@ static double planned_at(const plan *p, int place) {
 }
 
 static void write_places(json *j, const plan *p) {
+  const naming n = table_naming(&p->t);
   json_array(j, "places");
   for (int place = 0; place < p->t.policy.board.places; place++) {
     const point at = middle_of(p, qtr_policy_cell(&p->t.policy, (unsigned)place));
     json_flat_object(j, NULL);
+    json_integer(j, "number", p->t.number[place]);
+    naming_json_place(&n, j, (unsigned)place);
     json_number(j, "x", at.x);
     json_number(j, "y", at.y);
     json_number(j, "likelihood", p->likelihood[place]);
@@ -172,7 +175,25 @@ static void write_track(json *j, const record *r, int robot) {
 
 /* ---- what happened ---- */
 
-static void describe(char text[120], const arena_event *e) {
+#define EVENT_TEXT (2 * QTR_SITE_NAME_BYTES + 80)
+
+static naming_label robot_of(const naming *n, const arena_event *e) {
+  return e->robot >= 0 ? naming_seeker(n, (unsigned)e->robot) : (naming_label){""};
+}
+
+static naming_label place_of(const naming *n, const arena_event *e) {
+  return e->place >= 0 ? naming_place(n, (unsigned)e->place) : (naming_label){""};
+}
+
+/* A place, or what lies between them. */
+static void describe_shut(char text[EVENT_TEXT], const naming_label *place) {
+  if (place->text[0] != '\0')
+    snprintf(text, EVENT_TEXT, "place %s is shut: nobody gets to it", place->text);
+  else
+    snprintf(text, EVENT_TEXT, "a door is shut");
+}
+
+static void describe(char text[EVENT_TEXT], const plan *p, const arena_event *e) {
   static const char *const does[] = {[EVENT_STOPPED] = "stopped",
                                      [EVENT_LOST] = "is lost",
                                      [EVENT_STUCK] = "is stuck",
@@ -180,24 +201,26 @@ static void describe(char text[120], const arena_event *e) {
                                      [EVENT_DEADLOCK] = "makes no way",
                                      [EVENT_RESET] = "has no power",
                                      [EVENT_RESTARTED] = "has power again, and goes on from its save"};
+  const naming n = table_naming(&p->t);
+  const naming_label robot = robot_of(&n, e), place = place_of(&n, e);
   switch (e->kind) {
-  case EVENT_SCANNED: snprintf(text, 120, "robot %d scanned place %d: clear", e->robot, e->place); break;
-  case EVENT_FOUND: snprintf(text, 120, "robot %d found it at place %d", e->robot, e->place); break;
-  case EVENT_DONE: snprintf(text, 120, "robot %d: territory %d is done", e->robot, e->territory); break;
-  case EVENT_SLIP: snprintf(text, 120, "robot %d's wheels slip by up to %.0f %%", e->robot, 100 * e->share); break;
-  case EVENT_LOSS: snprintf(text, 120, "%.0f %% of the signals are lost from now on", 100 * e->share); break;
-  case EVENT_SHUT:
-    if (e->place >= 0)
-      snprintf(text, 120, "place %d is shut: nobody gets to it", e->place);
-    else
-      snprintf(text, 120, "a door is shut");
+  case EVENT_SCANNED: snprintf(text, EVENT_TEXT, "robot %s scanned place %s: clear", robot.text, place.text); break;
+  case EVENT_FOUND: snprintf(text, EVENT_TEXT, "robot %s found it at place %s", robot.text, place.text); break;
+  case EVENT_DONE:
+    snprintf(text, EVENT_TEXT, "robot %s: territory %s is done", robot.text,
+             naming_seeker(&n, (unsigned)e->territory).text);
     break;
-  case EVENT_MORE: snprintf(text, 120, "more happened than is kept: from here on it is left out"); break;
-  default: snprintf(text, 120, "robot %d %s", e->robot, does[e->kind]);
+  case EVENT_SLIP:
+    snprintf(text, EVENT_TEXT, "robot %s's wheels slip by up to %.0f %%", robot.text, 100 * e->share);
+    break;
+  case EVENT_LOSS: snprintf(text, EVENT_TEXT, "%.0f %% of the signals are lost from now on", 100 * e->share); break;
+  case EVENT_SHUT: describe_shut(text, &place); break;
+  case EVENT_MORE: snprintf(text, EVENT_TEXT, "more happened than is kept: from here on it is left out"); break;
+  default: snprintf(text, EVENT_TEXT, "robot %s %s", robot.text, does[e->kind]);
   }
 }
 
-static void write_event(json *j, const arena_event *e) {
+static void write_event(json *j, const plan *p, const arena_event *e) {
   static const char *const kinds[] = {
       [EVENT_SCANNED] = "scanned", [EVENT_FOUND] = "found",         [EVENT_DONE] = "territory_done",
       [EVENT_STOPPED] = "stopped", [EVENT_LOST] = "lost",           [EVENT_STUCK] = "stuck",
@@ -205,8 +228,8 @@ static void write_event(json *j, const arena_event *e) {
       [EVENT_SHUT] = "shut",       [EVENT_DEADLOCK] = "deadlock",   [EVENT_MORE] = "more",
       [EVENT_RESET] = "reset",     [EVENT_RESTARTED] = "restarted",
   };
-  char text[120];
-  describe(text, e);
+  char text[EVENT_TEXT];
+  describe(text, p, e);
   json_flat_object(j, NULL);
   write_seconds(j, "t", e->at);
   json_string(j, "kind", kinds[e->kind]);
@@ -248,9 +271,17 @@ static void write_game(json *j, const record *r, const arena *a, const game_resu
   for (int i = 0; i < r->robots; i++) write_track(j, r, i);
   json_end_array(j);
   json_array(j, "events");
-  for (int i = 0; i < a->events; i++) write_event(j, &a->event[i]);
+  for (int i = 0; i < a->events; i++) write_event(j, r->p, &a->event[i]);
   json_end_array(j);
   record_result(j, r->p, result);
+}
+
+/* What the robots are called. */
+static void write_robot_names(json *j, const plan *p) {
+  const naming n = table_naming(&p->t);
+  json_flat_array(j, "robot_names");
+  for (int i = 0; i < n.seekers; i++) json_string(j, NULL, naming_seeker(&n, (unsigned)i).text);
+  json_end_array(j);
 }
 
 static void write_head(json *j, const plan *p, const record_head *head) {
@@ -261,6 +292,7 @@ static void write_head(json *j, const plan *p, const record_head *head) {
   json_string(j, "mode", head->clear_all ? "clear" : "find");
   write_map(j, p);
   json_integer(j, "robots", p->t.policy.board.seekers);
+  write_robot_names(j, p);
   json_number(j, "robot_radius", DEMO_RADIUS);
   write_starts(j, p);
   write_places(j, p);
@@ -290,10 +322,10 @@ void record_hello(FILE *out, const plan *p, const record_head *head) {
   json_end_object(&j);
 }
 
-void record_event(FILE *out, const arena_event *e) {
+void record_event(FILE *out, const plan *p, const arena_event *e) {
   json j;
   json_begin(&j, out);
-  write_event(&j, e);
+  write_event(&j, p, e);
 }
 
 /* ---- as a page ---- */

@@ -43,7 +43,7 @@ void record_json(FILE *out, const record *r, const arena *a, const game_result *
 void record_hello(FILE *out, const plan *p, const record_head *head);
 
 /* Parts of it: an event, as an object; how the game came out, as the member "result". */
-void record_event(FILE *out, const arena_event *e);
+void record_event(FILE *out, const plan *p, const arena_event *e);
 void record_result(json *j, const plan *p, const game_result *result);
 
 /* Write the page that plays the game. 0, or -1 with *why set. */

@@ -314,13 +314,13 @@ void live_hello(live *view, const plan *p, const record_head *head) {
 }
 
 /* The last one that there is room for says that there is no more. */
-void live_event(live *view, const arena_event *e) {
+void live_event(live *view, const plan *p, const arena_event *e) {
   static const arena_event more = {.kind = EVENT_MORE, .robot = -1, .place = -1, .territory = -1};
   arena_event last = more;
   text t;
   if (view->events == ARENA_EVENTS || text_begin(&t) == NULL) return;
   last.at = e->at;
-  record_event(t.file, view->events < ARENA_EVENTS - 1 ? e : &last);
+  record_event(t.file, p, view->events < ARENA_EVENTS - 1 ? e : &last);
   char *data = text_end(&t);
   if (data == NULL) return;
   pthread_mutex_lock(&view->lock);

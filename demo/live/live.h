@@ -23,7 +23,7 @@ void live_hello(live *view, const plan *p, const record_head *head);
 void live_await(live *view, double seconds, const volatile int *interrupted);
 
 /* Something happened; it goes out with the next frame. ARENA_EVENTS are kept of a game. */
-void live_event(live *view, const arena_event *e);
+void live_event(live *view, const plan *p, const arena_event *e);
 
 /* Another game begins: what happened in the one before is forgotten. */
 void live_restart(live *view);

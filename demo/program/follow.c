@@ -29,7 +29,7 @@ static double seconds(int64_t utime) {
 
 static void tell(follower *f, int64_t utime, int kind, int robot, int place, int territory) {
   const arena_event e = {.at = seconds(utime), .kind = kind, .robot = robot, .place = place, .territory = territory};
-  live_event(f->view, &e);
+  live_event(f->view, f->p, &e);
 }
 
 /* A frame is whole when the next moment's poses begin to come: of a robot that is lost there are none. */

@@ -22,13 +22,15 @@ static void write_outcome(FILE *out, const plan *p, const game_result *result, c
 static void tell_outcome(FILE *out, const plan *p, const game_result *r, const settings *s) {
   const double planned = r->mine >= 0 && p->step[r->mine] != QTR_NEVER ? p->step[r->mine] * game_step_seconds() : -1.0;
   const table_certificate c = table_certificate_of(&p->t.policy);
+  const naming n = table_naming(&p->t);
   fprintf(out, "%s: %s, %s; the plan is ", p->name, counted(p->t.policy.board.seekers, "robot").text,
           counted(p->t.policy.board.places, "place").text);
   certificate_tell(out, c.certified, c.gap, p->negligible);
   fprintf(out, "; expected time to find %.1f s\n", p->expected_step * game_step_seconds());
   fprintf(out, "seed %llu: ", (unsigned long long)s->seed);
   if (r->found_at >= 0.0)
-    fprintf(out, "found at place %d after %.1f s, planned %.1f s", r->mine, r->found_at, planned);
+    fprintf(out, "found at place %s after %.1f s, planned %.1f s", naming_place(&n, (unsigned)r->mine).text,
+            r->found_at, planned);
   else
     fprintf(out, "nothing found");
   if (r->all_stopped_at >= 0.0) fprintf(out, "; all stopped at %.1f s", r->all_stopped_at);

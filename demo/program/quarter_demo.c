@@ -48,7 +48,7 @@ typedef struct {
 static void show_live(show *w, const arena *a) {
   world_pose poses[DEMO_MOST_ROBOTS];
   for (int i = 0; i < a->robots; i++) poses[i] = world_pose_of(a->w, i);
-  while (w->told < a->events) live_event(w->view, &a->event[w->told++]);
+  while (w->told < a->events) live_event(w->view, w->r.p, &a->event[w->told++]);
   live_frame(w->view, a->now, a->robots, a->g.grid.rows, poses);
 }
 

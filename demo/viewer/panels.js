@@ -65,7 +65,7 @@ function eventRow(event) {
 }
 
 function placeRow(place, number) {
-  const row = make("tr", {}, make("td", {}, String(number)), make("td", {}, place.likelihood.toFixed(4)), make("td"),
+  const row = make("tr", {}, make("td", {}, placeName(place, number)), make("td", {}, place.likelihood.toFixed(4)), make("td"),
     make("td", {}, finite(place.planned) ? rounded(place.planned, 2) : "–"), make("td"), make("td"));
   row.cells[2].append(place.territory >= 0 ? chip(place.territory) : "–");
   return row;

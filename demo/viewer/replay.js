@@ -11,6 +11,10 @@ const isPoint = (point) => Array.isArray(point) && finite(point[0]) && finite(po
 const isPoints = (list) => Array.isArray(list) && list.every(isPoint);
 const isPlace = (place) => Boolean(place) && finite(place.x) && finite(place.y) && finite(place.likelihood);
 
+/* What a robot and a place are called: by their names, or else by their numbers. */
+const robotName = (data, robot) => String(data.robot_names?.[robot] ?? robot);
+const placeName = (place, index) => String(place.name ?? place.number ?? index);
+
 function isTrack(track, samples) {
   return Boolean(track) && ["x", "y", "heading"].every((name) =>
     Array.isArray(track[name]) && track[name].length === samples && track[name].every(finite));

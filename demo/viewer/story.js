@@ -18,7 +18,7 @@ function lossText(model, event) {
   const left = leftBy(owners, event.robot).length;
   const rest = left === 0 ? "Its part was searched." :
     `Nobody is told: who is done with its own part comes for the ${many(left, "place")} that it left.`;
-  return `Robot ${event.robot} is lost. ${rest}`;
+  return `Robot ${robotName(model.data, event.robot)} is lost. ${rest}`;
 }
 
 const sentenceLike = (text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
@@ -34,7 +34,8 @@ function chapterAt(model, passed) {
   // Who takes over at the moment of the loss must not hide the loss.
   const loss = event.kind === "takeover" && model.events.find(({ kind, robot, t }) =>
     kind === "lost" && robot === event.territory && t === event.t);
-  return { kind: event.kind, robot: event.robot ?? -1, t: event.t, text: loss ? `Robot ${loss.robot} is lost. ${text}` : text };
+  return { kind: event.kind, robot: event.robot ?? -1, t: event.t, 
+    text: loss ? `Robot ${robotName(model.data, loss.robot)} is lost. ${text}` : text };
 }
 
 /* Shouted for a while after a loss, however fast it is played. */

@@ -34,9 +34,10 @@ function passOwner(owners, event) {
 
 /* Robots do not say where they go. Who searches a place that a lost robot left was on its way there since it had done
  * its last place, or since the loss. */
-function takeoverBy(robot, left, since, owners, helps) {
-  const text = helps ? `robot ${robot} helps with what robot ${left} left` :
-    `robot ${robot} takes over what robot ${left} left: ${many(leftBy(owners, left).length, "place")}`;
+function takeoverBy(data, robot, left, since, owners, helps) {
+  const who = robotName(data, robot), whose = robotName(data, left);
+  const text = helps ? `robot ${who} helps with what robot ${whose} left` :
+    `robot ${who} takes over what robot ${whose} left: ${many(leftBy(owners, left).length, "place")}`;
   return { t: since, kind: "takeover", robot, territory: left, helps, text };
 }
 
@@ -52,7 +53,7 @@ function takeoversOf(data, events) {
   for (const event of events) {
     const { robot } = event, left = leftOfScan(owners, event);
     if (left >= 0 && !came[left]?.has(robot)) {
-      made.push(takeoverBy(robot, left, Math.max(lostAt[left], busyUntil[robot] ?? 0), owners, came[left] !== undefined));
+      made.push(takeoverBy(data, robot, left, Math.max(lostAt[left], busyUntil[robot] ?? 0), owners, came[left] !== undefined));
       (came[left] ??= new Set()).add(robot);
       passOwner(owners, made.at(-1));
     }

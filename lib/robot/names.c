@@ -17,26 +17,41 @@ enum {
   ENTRY = 4,
   MISSION_NAME = 1,
   GEOGRAPHIC_ORIGIN = 2,
-  ORIGIN_BYTES = 24
+  PLACE_NAME = 3,
+  SEEKER_NAME = 4,
+  ORIGIN_BYTES = 24,
+  INDEX_BYTES = 2
 };
 
 /* A name that is cut would be another name: one that is too long is left out whole. */
-static uint32_t length_of(const char *name) {
+static uint32_t length_of(const char *name, uint32_t room) {
   uint32_t length = 0;
-  while ((length < QTR_NAME_BYTES) && (name[length] != '\0')) {
+  while ((length < room) && (name[length] != '\0')) {
     length++;
   }
-  return (length < QTR_NAME_BYTES) ? length : 0u;
+  return (length < room) ? length : 0u;
 }
 
-uint32_t qtr_names_size(const char *mission, const qtr_geo *geo) {
-  const uint32_t length = length_of(mission);
+/* Bytes of the entry that names a place or a seeker. */
+static uint32_t site_size(const char *name) {
+  const uint32_t length = length_of(name, QTR_SITE_NAME_BYTES);
+  return (length > 0u) ? ((uint32_t)ENTRY + INDEX_BYTES + length) : 0u;
+}
+
+uint32_t qtr_names_size(const qtr_names *names, const qtr_geo *geo) {
+  const uint32_t length = length_of(names->mission, QTR_NAME_BYTES);
   uint32_t size = HEAD;
   if (length > 0u) {
     size += ENTRY + length;
   }
   if (geo->given) {
     size += (uint32_t)ENTRY + ORIGIN_BYTES;
+  }
+  for (uint32_t i = 0; i < (uint32_t)QTR_MAX_PLACES; i++) {
+    size += site_size(names->place[i]);
+  }
+  for (uint32_t i = 0; i < (uint32_t)QTR_MAX_SEEKERS; i++) {
+    size += site_size(names->seeker[i]);
   }
   return (size > (uint32_t)HEAD) ? size : 0u;
 }
@@ -48,10 +63,23 @@ static uint8_t *begin_entry(uint8_t *at, uint32_t what, uint32_t length) {
   return at + ENTRY;
 }
 
+/* The entry of a place or a seeker that has a name; what comes behind it. */
+static uint8_t *write_site(uint8_t *bytes, uint32_t what, uint32_t index, const char *name) {
+  const uint32_t length = length_of(name, QTR_SITE_NAME_BYTES);
+  uint8_t *at = bytes;
+  if (length > 0u) {
+    at = begin_entry(at, what, INDEX_BYTES + length);
+    qtr_store16(at, index);
+    bytes_copy(at + INDEX_BYTES, name, length);
+    at = &at[INDEX_BYTES + length];
+  }
+  return at;
+}
+
 /* The sum is over the entries, so that a torn write behind the table is seen without a look at the table. */
-void qtr_names_write(uint8_t *bytes, const char *mission, const qtr_geo *geo) {
-  const uint32_t size = qtr_names_size(mission, geo);
-  const uint32_t length = length_of(mission);
+void qtr_names_write(uint8_t *bytes, const qtr_names *names, const qtr_geo *geo) {
+  const uint32_t size = qtr_names_size(names, geo);
+  const uint32_t length = length_of(names->mission, QTR_NAME_BYTES);
   if (size == 0u) {
     return;
   }
@@ -62,7 +90,7 @@ void qtr_names_write(uint8_t *bytes, const char *mission, const qtr_geo *geo) {
   uint8_t *at = bytes + HEAD;
   if (length > 0u) {
     at = begin_entry(at, MISSION_NAME, length);
-    bytes_copy(at, mission, length);
+    bytes_copy(at, names->mission, length);
     at = &at[length];
   }
   if (geo->given) {
@@ -70,6 +98,13 @@ void qtr_names_write(uint8_t *bytes, const char *mission, const qtr_geo *geo) {
     qtr_store64(at, (uint64_t)geo->latitude);
     qtr_store64(at + 8u, (uint64_t)geo->longitude);
     qtr_store64(at + 16u, (uint64_t)geo->yaw);
+    at = &at[ORIGIN_BYTES];
+  }
+  for (uint32_t i = 0; i < (uint32_t)QTR_MAX_PLACES; i++) {
+    at = write_site(at, PLACE_NAME, i, names->place[i]);
+  }
+  for (uint32_t i = 0; i < (uint32_t)QTR_MAX_SEEKERS; i++) {
+    at = write_site(at, SEEKER_NAME, i, names->seeker[i]);
   }
   qtr_store32(bytes + CRC_AT, qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
@@ -96,21 +131,39 @@ static bool take_origin(qtr_geo *geo, const uint8_t *bytes, uint32_t length) {
          is_within(geo->yaw, QTR_GEO_TURN);
 }
 
-/* Whether an entry is sound; one that is not known is. The name goes into an array of QTR_NAME_BYTES. */
-static bool take(char *mission, qtr_geo *geo, uint32_t what, const uint8_t *bytes, uint32_t length) {
-  if (what == (uint32_t)GEOGRAPHIC_ORIGIN) {
-    return take_origin(geo, bytes, length);
+/* The name of one of `count`, `all` of QTR_SITE_NAME_BYTES each. */
+static bool take_site(char *all, uint32_t count, const uint8_t *bytes, uint32_t length) {
+  if ((length <= (uint32_t)INDEX_BYTES) || ((length - INDEX_BYTES) >= (uint32_t)QTR_SITE_NAME_BYTES) ||
+      (qtr_load16(bytes) >= count)) {
+    return false;
   }
-  if ((what == (uint32_t)MISSION_NAME) && (length < QTR_NAME_BYTES)) {
-    bytes_copy(mission, bytes, length);
-    mission[length] = '\0';
-  }
+  char *name = &all[qtr_load16(bytes) * (uint32_t)QTR_SITE_NAME_BYTES];
+  bytes_copy(name, &bytes[INDEX_BYTES], length - INDEX_BYTES);
+  name[length - INDEX_BYTES] = '\0';
   return true;
 }
 
+/* Whether an entry is sound; one that is not known is. */
+static bool take(qtr_names *names, qtr_geo *geo, uint32_t what, const uint8_t *bytes, uint32_t length) {
+  bool sound = true;
+  switch (what) {
+  case MISSION_NAME:
+    if (length < (uint32_t)QTR_NAME_BYTES) {
+      bytes_copy(names->mission, bytes, length);
+      names->mission[length] = '\0';
+    }
+    break;
+  case GEOGRAPHIC_ORIGIN: sound = take_origin(geo, bytes, length); break;
+  case PLACE_NAME: sound = take_site(names->place[0], QTR_MAX_PLACES, bytes, length); break;
+  case SEEKER_NAME: sound = take_site(names->seeker[0], QTR_MAX_SEEKERS, bytes, length); break;
+  default: break;
+  }
+  return sound;
+}
+
 /* Each length is held against what is left before it is used, so that no bytes lead outside. */
-int qtr_names_read(char *mission, qtr_geo *geo, const uint8_t *bytes, uint32_t size) {
-  mission[0] = '\0';
+int qtr_names_read(qtr_names *names, qtr_geo *geo, const uint8_t *bytes, uint32_t size) {
+  bytes_clear(names, (uint32_t)sizeof *names);
   bytes_clear(geo, (uint32_t)sizeof *geo);
   if (size == 0u) {
     return QTR_OK;
@@ -123,7 +176,7 @@ int qtr_names_read(char *mission, qtr_geo *geo, const uint8_t *bytes, uint32_t s
       return QTR_ERR_CORRUPT;
     }
     const uint32_t length = qtr_load16(bytes + at + 2u);
-    if (!take(mission, geo, qtr_load16(bytes + at), bytes + at + ENTRY, length)) {
+    if (!take(names, geo, qtr_load16(bytes + at), bytes + at + ENTRY, length)) {
       return QTR_ERR_CORRUPT;
     }
     at += ENTRY + length;

@@ -92,16 +92,16 @@ static void refuse(const char *text, int line, const char *named) {
 }
 
 static void test_robots_that_are_not_there_are_refused(void) {
-  refuse("faults:\n  - {at: 1, lost: 4}\n", 2, "there is no robot 4; they are 0 to 3");
+  refuse("faults:\n  - {at: 1, lost: 4}\n", 2, "there is no robot 4; there are robots 0 to 3");
   refuse("faults:\n  - {at: 1, lost: 0}\n  - {at: 1, stuck: -1}\n", 3, "no robot -1");
   refuse("faults:\n  - {at: 1, slip: 0.1, robot: 99}\n", 2, "no robot 99");
-  refuse("faults:\n  - {at: 1, lost: first}\n", 2, "whole number");
-  refuse("faults:\n  - {at: 1, lost: 1.5}\n", 2, "whole number");
+  refuse("faults:\n  - {at: 1, lost: first}\n", 2, "there is no robot first");
+  refuse("faults:\n  - {at: 1, lost: 1.5}\n", 2, "there is no robot 1.5");
   refuse("faults:\n  - {at: 1, lost: 99999999999999999999}\n", 2, "lost");
 }
 
 static void test_what_cannot_be_shut_is_refused(void) {
-  refuse("faults:\n  - {at: 1, shut: 4}\n", 2, "there is no place 4; they are 0 to 3");
+  refuse("faults:\n  - {at: 1, shut: 4}\n", 2, "there is no place 4; there are places 0 to 3");
   refuse("faults:\n  - {at: 1, shut: -1}\n", 2, "no place -1");
   refuse("faults:\n  - {at: 1, shut: door}\n", 2, "shut");
   refuse("faults:\n  - {at: 1, shut: {column: 6, row: 0}}\n", 2, "column 6, row 0");
@@ -115,7 +115,7 @@ static void test_what_cannot_be_shut_is_refused(void) {
 }
 
 static void test_resets_that_cannot_be_are_refused(void) {
-  refuse("faults:\n  - {at: 1, reset: 4}\n", 2, "there is no robot 4; they are 0 to 3");
+  refuse("faults:\n  - {at: 1, reset: 4}\n", 2, "there is no robot 4; there are robots 0 to 3");
   refuse("faults:\n  - {at: -0.5, reset: 1}\n", 2, "at: -0.5 is not from 0");
   refuse("faults:\n  - {at: 1, reset: 1, for: 0.5}\n", 2, "for: 0.5 is not from 1 to 1000000");
   refuse("faults:\n  - {at: 1, shut: 1, for: 5}\n", 2, "for goes with stuck and reset");

@@ -25,7 +25,7 @@ static void test_every_key(void) {
                 "objective: time\ngamma: 0.9\nrule: paper\nunknown: free\nrobot_radius: 0\n");
   scratch_read("m.yaml");
   const qtr_mission *mission = &scratch_input.mission;
-  TEST_ASSERT_EQUAL_STRING("Trial", scratch_input.name);
+  TEST_ASSERT_EQUAL_STRING("Trial", scratch_input.names.mission);
   TEST_ASSERT_EQUAL_INT(2, mission->seekers);
   TEST_ASSERT_EQUAL_INT(4, mission->start[0]);
   TEST_ASSERT_EQUAL_INT(2, mission->start[1]);
@@ -147,7 +147,7 @@ static void test_wrong_types_and_values(void) {
   refuse(HEAD "unknown: maybe\n", "m.yaml:3", "'unknown' is \"maybe\"", "one of blocked and free");
   refuse("map: a.txt\nrobots: 3\n", "m.yaml:2", "'robots' is not a list", "robots: [");
   refuse("map: a.txt\nrobots: []\n", "m.yaml:2", "'robots' is empty", "robots: [");
-  refuse("map: a.txt\nrobots: [3]\n", "m.yaml:2", "robot 0 is not a mapping", "x, y, column and row");
+  refuse("map: a.txt\nrobots: [3]\n", "m.yaml:2", "robot 0 is not a mapping", "x, y, column, row and name");
   refuse(HEAD "places: {x: 1, y: 1}\n", "m.yaml:3", "'places' is not a list", "places: [");
   refuse(HEAD "places: []\n", "m.yaml", "no place", "'places'");
   refuse(HEAD "places: [{x: 1}]\n", "m.yaml:3", "place 0 lacks the key 'y'", "add");

@@ -125,31 +125,82 @@ static bool is_same_origin(const qtr_geo *a, const qtr_geo *b) {
   return a->given == b->given && a->latitude == b->latitude && a->longitude == b->longitude && a->yaw == b->yaw;
 }
 
-/* Behind the robot's part: any bytes, names of any length, with an origin or without. */
+/* A name of any bytes, or none; with `more`, one that fills its array and so has no end. */
+static void any_name(test_random *random, char *name, uint32_t room, bool more) {
+  const uint32_t length = random_chance(random, 70) ? random_below(random, more ? room + 1 : room) : 0;
+  memset(name, 0, room);
+  for (uint32_t i = 0; i < length; i++) name[i] = (char)random_in(random, 1, 255);
+}
+
+static void any_names(test_random *random, qtr_names *names, bool more) {
+  memset(names, 0, sizeof *names);
+  any_name(random, names->mission, QTR_NAME_BYTES, more);
+  for (unsigned i = 0; i < 3; i++) {
+    const unsigned place = random_below(random, QTR_MAX_PLACES), seeker = random_below(random, QTR_MAX_SEEKERS);
+    any_name(random, names->place[place], QTR_SITE_NAME_BYTES, more);
+    any_name(random, names->seeker[seeker], QTR_SITE_NAME_BYTES, more);
+  }
+}
+
+/* What a table keeps of the names: those that end. */
+static void drop_endless(qtr_names *names) {
+  if (memchr(names->mission, 0, QTR_NAME_BYTES) == NULL) memset(names->mission, 0, QTR_NAME_BYTES);
+  for (unsigned i = 0; i < QTR_MAX_PLACES; i++)
+    if (memchr(names->place[i], 0, QTR_SITE_NAME_BYTES) == NULL) memset(names->place[i], 0, QTR_SITE_NAME_BYTES);
+  for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++)
+    if (memchr(names->seeker[i], 0, QTR_SITE_NAME_BYTES) == NULL) memset(names->seeker[i], 0, QTR_SITE_NAME_BYTES);
+}
+
+static void expect_ends(const qtr_names *names) {
+  TEST_ASSERT_NOT_NULL(memchr(names->mission, 0, QTR_NAME_BYTES));
+  for (unsigned i = 0; i < QTR_MAX_PLACES; i++) TEST_ASSERT_NOT_NULL(memchr(names->place[i], 0, QTR_SITE_NAME_BYTES));
+  for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++) TEST_ASSERT_NOT_NULL(memchr(names->seeker[i], 0, QTR_SITE_NAME_BYTES));
+}
+
+/* Behind the robot's part: names of any bytes and length, with an origin or without, whole and damaged. */
 static void test_names_of_any_bytes(void) {
+  static qtr_names names, read;
   for (unsigned number = 0; number < 2000; number++) {
     test_random random = random_case("names", number);
-    char mission[QTR_NAME_BYTES + 40];
-    char read[QTR_NAME_BYTES];
-    uint8_t bytes[QTR_NAME_BYTES + 80];
+    uint8_t bytes[QTR_NAME_BYTES + 80 + 6 * (QTR_SITE_NAME_BYTES + 8)];
     qtr_geo geo = any_origin(&random), read_geo;
-    const uint32_t length = random_below(&random, QTR_NAME_BYTES + 20);
-    for (uint32_t i = 0; i < length; i++) mission[i] = (char)random_in(&random, 1, 255);
-    mission[length] = '\0';
-    const bool named = length > 0 && length < QTR_NAME_BYTES;
-    const uint32_t size = qtr_names_size(mission, &geo);
-    TEST_ASSERT_EQUAL(!named && !geo.given, size == 0);
-    qtr_names_write(bytes, mission, &geo);
-    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_names_read(read, &read_geo, bytes, size));
-    TEST_ASSERT_EQUAL_STRING(named ? mission : "", read);
+    any_names(&random, &names, random_chance(&random, 20));
+    const uint32_t size = qtr_names_size(&names, &geo);
+    TEST_ASSERT_LESS_OR_EQUAL_UINT(sizeof bytes, size);
+    qtr_names_write(bytes, &names, &geo);
+    drop_endless(&names);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_names_read(&read, &read_geo, bytes, size));
+    TEST_ASSERT_EQUAL_MEMORY(&names, &read, sizeof names);
     TEST_ASSERT_TRUE(is_same_origin(&geo, &read_geo));
     if (size == 0) continue;
     bytes[random_below(&random, size)] ^= (uint8_t)random_in(&random, 1, 255);
     if (random_chance(&random, 50)) qtr_store32(bytes + 12, qtr_crc32_add(0, bytes + 16, size - 16));
     const int status =
-        qtr_names_read(read, &read_geo, bytes, random_chance(&random, 80) ? size : random_in(&random, 1, size));
+        qtr_names_read(&read, &read_geo, bytes, random_chance(&random, 80) ? size : random_in(&random, 1, size));
     TEST_ASSERT_TRUE(status == QTR_OK || status == QTR_ERR_CORRUPT);
-    TEST_ASSERT_LESS_THAN(QTR_NAME_BYTES, strlen(read));
+    expect_ends(&read);
+  }
+}
+
+/* The entry of a place or a seeker that this build cannot hold, of no name, or of one too long, is damage. */
+static void test_names_of_nobody_are_damage(void) {
+  static const struct {
+    uint16_t what, length, index;
+  } entries[] = {
+      {3, 3, QTR_MAX_PLACES}, {4, 3, QTR_MAX_SEEKERS}, {3, 2, 0}, {4, 1, 0}, {3, 2 + QTR_SITE_NAME_BYTES, 0}};
+  static qtr_names read;
+  qtr_geo geo;
+  for (unsigned i = 0; i < sizeof entries / sizeof entries[0]; i++) {
+    uint8_t bytes[30 + QTR_SITE_NAME_BYTES] = "QTRH";
+    const uint32_t size = 16u + 4u + entries[i].length;
+    memset(bytes + 20, 'x', sizeof bytes - 20);
+    qtr_store16(bytes + 4, 1);
+    qtr_store32(bytes + 8, size);
+    qtr_store16(bytes + 16, entries[i].what);
+    qtr_store16(bytes + 18, entries[i].length);
+    qtr_store16(bytes + 20, entries[i].index);
+    qtr_store32(bytes + 12, qtr_crc32_add(0, bytes + 16, size - 16));
+    TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_names_read(&read, &geo, bytes, size));
   }
 }
 
@@ -160,14 +211,15 @@ static void test_origins_off_the_globe_are_damage(void) {
                                 {true, 0, 0, QTR_GEO_TURN + 1},
                                 {true, INT64_MIN, 0, 0}};
   static const qtr_geo corner = {true, -90 * QTR_GEO_ONE, 180 * QTR_GEO_ONE, QTR_GEO_TURN};
-  char name[QTR_NAME_BYTES];
+  static const qtr_names none;
+  static qtr_names names;
   uint8_t bytes[64];
   qtr_geo read;
-  qtr_names_write(bytes, "", &corner);
-  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_names_read(name, &read, bytes, qtr_names_size("", &corner)));
+  qtr_names_write(bytes, &none, &corner);
+  TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_names_read(&names, &read, bytes, qtr_names_size(&none, &corner)));
   for (unsigned i = 0; i < sizeof off / sizeof off[0]; i++) {
-    qtr_names_write(bytes, "", &off[i]);
-    TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_names_read(name, &read, bytes, qtr_names_size("", &off[i])));
+    qtr_names_write(bytes, &none, &off[i]);
+    TEST_ASSERT_EQUAL_INT(QTR_ERR_CORRUPT, qtr_names_read(&names, &read, bytes, qtr_names_size(&none, &off[i])));
   }
 }
 
@@ -201,6 +253,7 @@ int main(void) {
   RUN_TEST(test_signal_of_any_bytes);
   RUN_TEST(test_division_of_any_deployment_ends);
   RUN_TEST(test_names_of_any_bytes);
+  RUN_TEST(test_names_of_nobody_are_damage);
   RUN_TEST(test_origins_off_the_globe_are_damage);
   RUN_TEST(test_tables_say_what_they_are_of);
   return UNITY_END();

@@ -59,7 +59,7 @@ static void test_a_table_keeps_the_inputs_numbers(void) {
   expect_out("\"places\": [2, 3]");
   run_tool(&r, "simulate m.qtr --target 0");
   TEST_ASSERT_EQUAL_INT(2, r.status);
-  expect_err("--target: there is no place 0; the table has places 2 to 3 but those that were left out");
+  expect_err("--target: there is no place 0; there are places 2 to 3 but those that were left out");
 }
 
 static void test_nothing_left_out_nothing_told(void) {

@@ -379,7 +379,7 @@ static void test_tables_that_are_none(void) {
   run_tool(&result, "simulate flipped.qtr");
   expect_refusal("flipped.qtr", "checksum");
   run_tool(&result, "simulate t.qtr --lost 7@1");
-  expect_refusal("--lost", "seekers 0 to 1");
+  expect_refusal("--lost", "robots 0 to 1");
   run_tool(&result, "simulate t.qtr --target 3");
   expect_refusal("--target", "places 0 to 2");
   run_tool(&result, "simulate t.qtr --late 1");

@@ -34,6 +34,7 @@ static int distance(const char *a, const char *b) {
 static int slip(const char *word, const char *known) {
   size_t length = strlen(known), given = strlen(word), common = length < given ? length : given;
   if (strcasecmp(word, known) == 0) return 0;
+  if (length > LONGEST) return LONGEST;
   int allowed = length <= 2 ? 0 : length <= 5 ? 1 : 2;
   int apart = distance(word, known);
   if (apart <= allowed) return apart;

@@ -83,7 +83,8 @@ static int read_place(input *in, const int order[FIELDS], const text_lines *line
   input_origin origin = {INPUT_FROM_CSV, lines->number, 0};
   bool metres = order[0] == X || order[0] == Y || order[1] == X || order[1] == Y;
   const input_position position = {metres, values[metres ? X : COLUMN], values[metres ? Y : ROW]};
-  return sites_add_place(in, position, values[WEIGHT], origin, why);
+  const input_site site = {position, values[WEIGHT], ""};
+  return sites_add_place(in, &site, origin, why);
 }
 
 int csv_read(input *in, const file_bytes *bytes, fault *why) {

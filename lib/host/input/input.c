@@ -1,6 +1,7 @@
 #include "host/input/input.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "host/base/file.h"
 
@@ -19,21 +20,29 @@ void input_keep_place(input *in, int to, int from) {
   in->place_origin[to] = in->place_origin[from];
   in->place_position[to] = in->place_position[from];
   in->place_number[to] = in->place_number[from];
+  if (to != from) memcpy(in->names.place[to], in->names.place[from], sizeof in->names.place[to]);
 }
 
-static void name_site(const input *in, const char *what, int index, input_origin origin, char *out, size_t size) {
+naming input_naming(const input *in) {
+  return (naming){&in->names, in->place_number, in->mission.places, in->mission.seekers};
+}
+
+static void name_site(const input *in, const char *what, const char *label, input_origin origin, char *out,
+                      size_t size) {
   const char *path = file_short_path(input_source_path(in, origin));
   if (origin.column > 0) {
-    snprintf(out, size, "%s %d (%s:%d:%d)", what, index, path, origin.line, origin.column);
+    snprintf(out, size, "%s %s (%s:%d:%d)", what, label, path, origin.line, origin.column);
   } else {
-    snprintf(out, size, "%s %d (%s:%d)", what, index, path, origin.line);
+    snprintf(out, size, "%s %s (%s:%d)", what, label, path, origin.line);
   }
 }
 
 void input_place_name(const input *in, int place, char *out, size_t size) {
-  name_site(in, "place", in->place_number[place], in->place_origin[place], out, size);
+  const naming n = input_naming(in);
+  name_site(in, "place", naming_place(&n, (unsigned)place).text, in->place_origin[place], out, size);
 }
 
 void input_seeker_name(const input *in, int seeker, char *out, size_t size) {
-  name_site(in, "seeker", seeker, in->start_origin[seeker], out, size);
+  const naming n = input_naming(in);
+  name_site(in, "seeker", naming_seeker(&n, (unsigned)seeker).text, in->start_origin[seeker], out, size);
 }

@@ -8,12 +8,12 @@
 #include <stdint.h>
 
 #include "host/base/fault.h"
+#include "host/base/naming.h"
 #include "host/base/notes.h"
 #include "quarter/mission.h"
 #include "quarter/names.h"
 
 #define INPUT_PATH_SIZE 4096
-#define INPUT_NAME_SIZE 128
 
 /* The map frame in which the planning grid lies. Row 0 is the top row; without a turn y points up. */
 typedef struct {
@@ -40,6 +40,13 @@ typedef struct {
   double x, y;
 } input_position;
 
+/* A robot or a place, as it is stated. */
+typedef struct {
+  input_position position;
+  double weight;                  /* places */
+  char name[QTR_SITE_NAME_BYTES]; /* empty: none */
+} input_site;
+
 /* The file in which a start or place is stated. */
 enum input_source { INPUT_FROM_MISSION, INPUT_FROM_MAP, INPUT_FROM_CSV };
 
@@ -56,7 +63,7 @@ typedef struct {
   char path[INPUT_PATH_SIZE]; /* the input itself */
   char map[INPUT_PATH_SIZE];  /* the map: the input again, or what the mission names */
   char csv[INPUT_PATH_SIZE];  /* the mission's places_csv; empty: none */
-  char name[INPUT_NAME_SIZE]; /* the mission's `name`; empty: none */
+  qtr_names names;            /* of the mission, its places and robots */
   bool objective_given, gamma_given, rule_given; /* stated in the mission file */
   input_ground ground;
   input_origin start_origin[QTR_MAX_SEEKERS];
@@ -79,11 +86,14 @@ typedef struct {
 /* The path of the file in which a start or place is stated. */
 const char *input_source_path(const input *in, input_origin origin);
 
-/* Let place `from` stand in the place of `to`, number and all: where places are left out. */
+/* What places and robots are called. */
+naming input_naming(const input *in);
+
+/* Let place `from` stand in the place of `to`, number, name and all: where places are left out. */
 void input_keep_place(input *in, int to, int from);
 
-/* "place 3 (mission.yaml:17)" and "seeker 0 (area.txt:4:7)", for messages about a place or a seeker's start; the number
- * is the input's. */
+/* "place 3 (mission.yaml:17)" and "seeker 0 (area.txt:4:7)", for messages about a place or a seeker's start, by name
+ * where it has one; the number is the input's. */
 void input_place_name(const input *in, int place, char *out, size_t size);
 void input_seeker_name(const input *in, int seeker, char *out, size_t size);
 

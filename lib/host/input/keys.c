@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "host/base/naming.h"
+
 /* ---- ranges ---- */
 
 static bool has_range(const key_record *r) {
@@ -77,6 +79,14 @@ static int take_word(void *field, const key_record *r, const value_site *site, c
   return 0;
 }
 
+static int take_name(char *field, const key_record *r, const value_site *site, const char *text) {
+  if (value_text(site, r->name, text)) return -1;
+  const char *wrong = naming_wrong(text);
+  if (wrong == NULL) return snprintf(field, r->size, "%s", text) < 0;
+  return value_fault(site, "'%s' is \"%.60s\", which %s; give a text of at most %zu bytes in one line", r->name, text,
+                     wrong, r->size - 1);
+}
+
 static int take_text(char *field, const key_record *r, const value_site *site, const char *text) {
   if (value_text(site, r->name, text)) return -1;
   if (strlen(text) >= r->size)
@@ -93,6 +103,7 @@ int keys_take(void *settings, const key_record *r, const value_site *site, const
   case KEY_INTEGER: return take_integer(field, r, site, text);
   case KEY_WORD: return take_word(field, r, site, text);
   case KEY_TEXT: return take_text(field, r, site, text);
+  case KEY_NAME: return take_name(field, r, site, text);
   case KEY_FILE:
     return value_text(site, r->name, text) ? -1 : file_path_beside(field, r->size, site->path, text, site->why);
   default: return 0;
@@ -194,7 +205,7 @@ static int check_list(const key_record *r, tree *yaml, tree_node *node) {
 }
 
 static int take_node(void *settings, const key_record *r, tree *yaml, tree_node *node) {
-  static const char *const wanted[] = {"a text", "a text", "a number", "a whole number"};
+  static const char *const wanted[] = {"a text", "a text", "a text", "a number", "a whole number"};
   char words[420];
   const value_site site = tree_site(yaml, node);
   if (r->kind == KEY_LIST) return check_list(r, yaml, node);

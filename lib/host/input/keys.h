@@ -11,6 +11,7 @@
 /* What a value is, and so where it goes: a field of the settings of the type named. */
 enum key_kind {
   KEY_TEXT,    /* a text that is not empty; char[size] */
+  KEY_NAME,    /* the same, short and in one line, to tell places and robots apart (naming.h) */
   KEY_FILE,    /* a file, relative to the one read; its path, char[size] */
   KEY_NUMBER,  /* double */
   KEY_INTEGER, /* a whole number; an integer of any size */

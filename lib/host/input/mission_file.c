@@ -89,12 +89,13 @@ static int check_item(tree *yaml, tree_node *item, const char *what) {
 }
 
 /* An item of a list: its keys, and the position that they state in either way. */
-static int read_site(mission_site *site, input_position *position, const key_set *set, tree *yaml, tree_node *item,
-                     const char *what) {
+static int read_site(input_site *site, const key_set *set, tree *yaml, tree_node *item, const char *what) {
   int group;
-  if (check_item(yaml, item, what) || keys_read(site, set, yaml, item, what, &group)) return -1;
-  *position = group == MISSION_METRES ? (input_position){true, site->x, site->y}
-                                      : (input_position){false, site->column, site->row};
+  mission_site stated = {.it.weight = 1.0};
+  if (check_item(yaml, item, what) || keys_read(&stated, set, yaml, item, what, &group)) return -1;
+  *site = stated.it;
+  site->position = group == MISSION_METRES ? (input_position){true, stated.x, stated.y}
+                                           : (input_position){false, stated.column, stated.row};
   return 0;
 }
 
@@ -104,12 +105,11 @@ static int read_robots(input *in, tree *yaml, tree_node *root) {
   for (int i = 0; i < count; i++) {
     tree_node *item = tree_item(yaml, list, i);
     char what[32];
-    mission_site site = {0};
-    input_position position;
+    input_site site;
     snprintf(what, sizeof what, "robot %d", i);
-    if (read_site(&site, &position, &mission_robot_keys, yaml, item, what)) return -1;
+    if (read_site(&site, &mission_robot_keys, yaml, item, what)) return -1;
     input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
-    if (sites_add_start(in, position, origin, yaml->why)) return -1;
+    if (sites_add_start(in, &site, origin, yaml->why)) return -1;
   }
   if (in->mission.seekers > 0) return 0;
   if (list != NULL)
@@ -123,12 +123,11 @@ static int read_places(input *in, tree *yaml, tree_node *root) {
   for (int i = 0; i < count; i++) {
     tree_node *item = tree_item(yaml, list, i);
     char what[32];
-    mission_site site = {.weight = 1.0};
-    input_position position;
+    input_site site;
     snprintf(what, sizeof what, "place %d", i);
-    if (read_site(&site, &position, &mission_place_keys, yaml, item, what)) return -1;
+    if (read_site(&site, &mission_place_keys, yaml, item, what)) return -1;
     input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
-    if (sites_add_place(in, position, site.weight, origin, yaml->why)) return -1;
+    if (sites_add_place(in, &site, origin, yaml->why)) return -1;
   }
   return 0;
 }

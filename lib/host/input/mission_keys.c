@@ -2,7 +2,6 @@
 
 #include <math.h>
 
-#include "host/input/input.h"
 #include "host/input/words.h"
 #include "quarter/objective.h"
 
@@ -34,7 +33,16 @@ static const key_group positions[] = {
     KEY_FIELD(mission_site, row)                                                                                       \
   }
 
-static const key_record robot_records[] = {POSITION, {.name = NULL}};
+#define NAME(what)                                                                                                     \
+  {.name = "name",                                                                                                     \
+   .kind = KEY_NAME,                                                                                                   \
+   .help = what,                                                                                                       \
+   .example = "Bay 3",                                                                                                 \
+   .standard = "its number, from 0",                                                                                   \
+   KEY_FIELD(mission_site, it.name)}
+
+static const key_record robot_records[] = {
+    POSITION, NAME("what reports, pictures and options call it; no two robots have one name"), {.name = NULL}};
 
 static const key_record place_records[] = {
     POSITION,
@@ -46,7 +54,8 @@ static const key_record place_records[] = {
      .noun = "a likelihood in any unit",
      .most = HUGE_VAL,
      .least_out = true,
-     KEY_FIELD(mission_site, weight)},
+     KEY_FIELD(mission_site, it.weight)},
+    NAME("what reports, pictures and options call it; no two places have one name"),
     {.name = NULL}};
 
 const key_set mission_robot_keys = {"A robot", robot_records, positions, "position"};
@@ -181,7 +190,7 @@ static const key_record mission_records[] = {
      .kind = KEY_TEXT,
      .help = "for reports and pictures",
      .example = "Old quarry",
-     KEY_FIELD(input, name)},
+     KEY_FIELD(input, names.mission)},
     {.name = "geo",
      .kind = KEY_MAPPING,
      .help = "where on the globe the map lies",

@@ -5,13 +5,14 @@
 
 #include <stdint.h>
 
+#include "host/input/input.h"
 #include "host/input/keys.h"
 
 /* A robot or a place, as its keys are read. */
 typedef struct {
   double x, y;
   int32_t column, row;
-  double weight;
+  input_site it; /* all but the position, which the reader makes of the above */
 } mission_site;
 
 /* Its position, as its set's `either` counts them. */

@@ -14,6 +14,7 @@ static void write_name(FILE *out, const key_record *r) {
 
 static void write_values(FILE *out, const key_record *r) {
   static const char *const kinds[] = {[KEY_TEXT] = "a text",
+                                      [KEY_NAME] = "a name of its own",
                                       [KEY_FILE] = "a file, relative to this one",
                                       [KEY_NUMBER] = "a number",
                                       [KEY_INTEGER] = "a whole number",

@@ -44,7 +44,8 @@ static void write_named(json *j, const key_record *r) {
 
 static void write_type(json *j, const key_record *r) {
   switch (r->kind) {
-  case KEY_TEXT: write_text_or_number(j); break;
+  case KEY_TEXT:
+  case KEY_NAME: write_text_or_number(j); break;
   case KEY_FILE: json_string(j, "type", "string"); break;
   case KEY_WORD: write_strings(j, "enum", r->words); break;
   case KEY_LIST: write_items(j, r); break;

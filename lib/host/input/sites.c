@@ -20,9 +20,21 @@ static int check_whole(const input *in, input_position position, input_origin or
                     "column %g, row %g is not a cell; give whole numbers", position.x, position.y);
 }
 
-int sites_add_start(input *in, input_position position, input_origin origin, fault *why) {
+/* Names tell places apart, and robots. */
+static int check_name(input *in, const char *what, const char *name, char names[][QTR_SITE_NAME_BYTES],
+                      const input_origin *origins, int count, input_origin origin, fault *why) {
+  for (int i = 0; name[0] != '\0' && i < count; i++) {
+    if (strcmp(names[i], name) != 0) continue;
+    return file_fault(why, input_source_path(in, origin), origin.line, origin.column,
+                      "a second %s is called '%s', after that of %s:%d; give it another name", what, name,
+                      file_short_path(input_source_path(in, origins[i])), origins[i].line);
+  }
+  return 0;
+}
+
+int sites_add_start(input *in, const input_site *site, input_origin origin, fault *why) {
   qtr_mission *mission = &in->mission;
-  if (check_whole(in, position, origin, why)) return -1;
+  if (check_whole(in, site->position, origin, why)) return -1;
   if (mission->seekers >= QTR_MAX_SEEKERS) {
     char what[200];
     snprintf(what, sizeof what,
@@ -30,17 +42,20 @@ int sites_add_start(input *in, input_position position, input_origin origin, fau
              QTR_MAX_SEEKERS);
     return site_fault(in, origin, why, what);
   }
-  mission->start[mission->seekers] = frame_cell(in, position);
+  if (check_name(in, "robot", site->name, in->names.seeker, in->start_origin, mission->seekers, origin, why)) return -1;
+  mission->start[mission->seekers] = frame_cell(in, site->position);
   in->start_origin[mission->seekers] = origin;
-  in->start_position[mission->seekers] = position;
+  in->start_position[mission->seekers] = site->position;
+  memcpy(in->names.seeker[mission->seekers], site->name, sizeof site->name);
   mission->seekers++;
   return 0;
 }
 
-int sites_add_place(input *in, input_position position, double weight, input_origin origin, fault *why) {
+int sites_add_place(input *in, const input_site *site, input_origin origin, fault *why) {
   qtr_mission *mission = &in->mission;
+  const double weight = site->weight;
   char what[200];
-  if (check_whole(in, position, origin, why)) return -1;
+  if (check_whole(in, site->position, origin, why)) return -1;
   if (!(weight > 0.0) || !isfinite(weight)) {
     snprintf(what, sizeof what, "the weight %g of a place is not above 0; give its likelihood in any unit", weight);
     return site_fault(in, origin, why, what);
@@ -51,10 +66,12 @@ int sites_add_place(input *in, input_position position, double weight, input_ori
              QTR_MAX_PLACES);
     return site_fault(in, origin, why, what);
   }
-  mission->place[mission->places] = frame_cell(in, position);
+  if (check_name(in, "place", site->name, in->names.place, in->place_origin, mission->places, origin, why)) return -1;
+  mission->place[mission->places] = frame_cell(in, site->position);
   mission->weight[mission->places] = weight;
   in->place_origin[mission->places] = origin;
-  in->place_position[mission->places] = position;
+  in->place_position[mission->places] = site->position;
+  memcpy(in->names.place[mission->places], site->name, sizeof site->name);
   in->place_number[mission->places] = mission->places;
   in->places_stated = ++mission->places;
   return 0;
@@ -78,6 +95,18 @@ int sites_check_size(const char *path, long line, double columns, double rows, c
   return 0;
 }
 
+/* "Alpha" for four robots: "Alpha 1" to "Alpha 4". A name that would become too long is dropped. */
+static void number_shared(input *in, int robots) {
+  char name[QTR_SITE_NAME_BYTES];
+  memcpy(name, in->names.seeker[0], sizeof name);
+  const bool fits = name[0] != '\0' && strlen(name) + 5 < sizeof name;
+  for (int i = 0; i < robots; i++) {
+    char *to = in->names.seeker[i];
+    to[0] = '\0';
+    if (fits) snprintf(to, QTR_SITE_NAME_BYTES, "%.*s %d", QTR_SITE_NAME_BYTES - 6, name, i + 1);
+  }
+}
+
 /* Enough starts for `robots`: a single start serves them all. */
 static int share_start(input *in, int robots, fault *why) {
   qtr_mission *mission = &in->mission;
@@ -94,6 +123,7 @@ static int share_start(input *in, int robots, fault *why) {
         "%d robots asked for, but this build holds %d; ask for fewer, or build with a larger QTR_MAX_SEEKERS", robots,
         QTR_MAX_SEEKERS);
   }
+  number_shared(in, robots);
   for (int i = 1; i < robots; i++) {
     mission->start[i] = mission->start[0];
     in->start_origin[i] = in->start_origin[0];
@@ -113,10 +143,11 @@ static int check_weights(const input *in, fault *why) {
   }
   for (int i = 0; i < mission->places; i++) {
     if (mission->weight[i] / sum >= DBL_MIN) continue;
-    char what[200];
+    char what[300];
+    const naming n = input_naming(in);
     snprintf(what, sizeof what,
-             "the weight %g of place %d is nothing beside the sum of all, %g; raise it, or drop the place",
-             mission->weight[i], i, sum);
+             "the weight %g of place %s is nothing beside the sum of all, %g; raise it, or drop the place",
+             mission->weight[i], naming_place(&n, (unsigned)i).text, sum);
     return site_fault(in, in->place_origin[i], why, what);
   }
   return 0;

@@ -5,9 +5,10 @@
 #include "host/input/input.h"
 
 /* A start or place in the map as read so far; on an obstacle or outside it is taken too, for sites_finish to judge. -1
- * with *fault set: more than the build holds, not a whole number of cells, or a weight that is not above 0. */
-int sites_add_start(input *in, input_position position, input_origin origin, fault *why);
-int sites_add_place(input *in, input_position position, double weight, input_origin origin, fault *why);
+ * with *fault set: more than the build holds, not a whole number of cells, a weight that is not above 0, or a name that
+ * another one has. */
+int sites_add_start(input *in, const input_site *site, input_origin origin, fault *why);
+int sites_add_place(input *in, const input_site *site, input_origin origin, fault *why);
 
 /* -1 with *fault set: `columns` x `rows` cells are more than the build holds, or none. Nothing was allocated or
  * written for them yet. `line` is where the numbers stand, 0 for nowhere; `mend` is what to do about too many. */

@@ -15,8 +15,8 @@
 /* A start or a place, and where it could go. */
 typedef struct {
   bool place;
-  int index;     /* in the mission */
-  int number;    /* in the input */
+  int index; /* in the mission */
+  naming_label label;
   qtr_cell cell; /* where it is; QTR_NO_CELL outside the map */
   input_position position;
   input_origin origin;
@@ -36,12 +36,17 @@ typedef struct {
 } work;
 
 static site start_site(const input *in, int i) {
-  return (site){false, i, i, in->mission.start[i], in->start_position[i], in->start_origin[i], QTR_NO_CELL, 0.0};
+  const naming n = input_naming(in);
+  return (site){
+      false,       i,  naming_seeker(&n, (unsigned)i), in->mission.start[i], in->start_position[i], in->start_origin[i],
+      QTR_NO_CELL, 0.0};
 }
 
 static site place_site(const input *in, int i) {
-  return (site){true,        i,  in->place_number[i], in->mission.place[i], in->place_position[i], in->place_origin[i],
-                QTR_NO_CELL, 0.0};
+  const naming n = input_naming(in);
+  return (site){
+      true,        i,  naming_place(&n, (unsigned)i), in->mission.place[i], in->place_position[i], in->place_origin[i],
+      QTR_NO_CELL, 0.0};
 }
 
 static bool is_free(const input *in, qtr_cell cell) {
@@ -138,12 +143,12 @@ static void name_trouble(char *out, size_t size, const input *in, const site *it
   frame_name(position, sizeof position, it->position);
   if (it->cell == QTR_NO_CELL) {
     frame_span(rest, sizeof rest, in, it->position.metres);
-    snprintf(out, size, "%s %d: %s lies outside the map, %s", what, it->number, position, rest);
+    snprintf(out, size, "%s %s: %s lies outside the map, %s", what, it->label.text, position, rest);
     return;
   }
   if (in->ground.robot_radius > 0.0)
     snprintf(rest, sizeof rest, " grown by the robot_radius of %g m", in->ground.robot_radius);
-  snprintf(out, size, "%s %d stands on an obstacle%s, at column %u, row %u", what, it->number, rest,
+  snprintf(out, size, "%s %s stands on an obstacle%s, at column %u, row %u", what, it->label.text, rest,
            (unsigned)(it->cell % in->mission.columns), (unsigned)(it->cell / in->mission.columns));
 }
 
@@ -217,8 +222,8 @@ static void check_twins(work *w) {
       const site it = place_site(w->in, j);
       input_place_name(w->in, i, first, sizeof first);
       snprintf(text, sizeof text,
-               "place %d lies in the same cell as %.450s: column %u, row %u; drop one of them, or move it", it.number,
-               first, (unsigned)(it.cell % mission->columns), (unsigned)(it.cell / mission->columns));
+               "place %s lies in the same cell as %.450s: column %u, row %u; drop one of them, or move it",
+               it.label.text, first, (unsigned)(it.cell % mission->columns), (unsigned)(it.cell / mission->columns));
       w->twins++;
       complain(w, &it, text);
       break;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -20,26 +21,30 @@ static const char *mend_of(int status) {
   }
 }
 
-int table_open_bytes(table *t) {
-  int status = qtr_policy_open(&t->policy, t->bytes.data, (uint32_t)t->bytes.size);
-  if (status == QTR_OK) status = qtr_policy_check(&t->policy);
-  t->name[0] = '\0';
-  t->geo = (qtr_geo){0};
-  if (status == QTR_OK) qtr_claim_read(&t->claim, &t->policy);
+/* What the table says beside what a robot plays by. */
+static int read_rest(table *t) {
+  const uint32_t behind = (uint32_t)t->bytes.size - t->policy.size;
+  qtr_claim_read(&t->claim, &t->policy);
+  for (unsigned place = 0; place < t->policy.board.places; place++)
+    t->number[place] = (uint16_t)qtr_claim_number(&t->claim, &t->policy, place);
+  const int status = qtr_names_read(&t->names, &t->geo, t->bytes.data + t->policy.size, behind);
+  fault_clean(t->names.mission); /* names from anywhere end up in terminals and in lines of other tools' files */
+  for (int i = 0; i < QTR_MAX_PLACES; i++) fault_clean(t->names.place[i]);
+  for (int i = 0; i < QTR_MAX_SEEKERS; i++) fault_clean(t->names.seeker[i]);
   return status;
 }
 
-static int read_names(table *t, const char *path, fault *why) {
-  const uint32_t behind = (uint32_t)t->bytes.size - t->policy.size;
-  if (qtr_names_read(t->name, &t->geo, t->bytes.data + t->policy.size, behind) == QTR_OK) return 0;
-  return fault_set(why, "%s: what stands behind the table is damaged; %s", path, mend_of(QTR_ERR_CHECKSUM));
+int table_open_bytes(table *t) {
+  int status = qtr_policy_open(&t->policy, t->bytes.data, (uint32_t)t->bytes.size);
+  if (status == QTR_OK) status = qtr_policy_check(&t->policy);
+  return status == QTR_OK ? read_rest(t) : status;
 }
 
 int table_read(table *t, const char *path, fault *why) {
   if (file_read(&t->bytes, path, TABLE_LIMIT, NULL, why) != 0) return -1;
   const int status = table_open_bytes(t);
   if (status != QTR_OK) fault_set(why, "%s: %s; %s", path, qtr_strerror(status), mend_of(status));
-  if (status == QTR_OK && read_names(t, path, why) == 0 && table_check(&t->policy, path, why) == 0) return 0;
+  if (status == QTR_OK && table_check(&t->policy, path, why) == 0) return 0;
   file_free(&t->bytes);
   return -1;
 }
@@ -48,27 +53,35 @@ void table_free(table *t) {
   file_free(&t->bytes);
 }
 
-unsigned table_number(const table *t, unsigned place) {
-  return qtr_claim_number(&t->claim, &t->policy, place);
+int table_add_names(file_bytes *bytes, const qtr_names *names, const qtr_geo *geo, fault *why) {
+  const uint32_t more = qtr_names_size(names, geo);
+  uint8_t *larger = realloc(bytes->data, bytes->size + more);
+  if (larger == NULL) return fault_set(why, "no memory for the table");
+  qtr_names_write(larger + bytes->size, names, geo);
+  bytes->data = larger;
+  bytes->size += more;
+  return 0;
 }
 
-int table_place(const table *t, unsigned number) {
-  for (unsigned place = 0; place < t->policy.board.places; place++)
-    if (table_number(t, place) == number) return (int)place;
-  return -1;
+naming table_naming(const table *t) {
+  return (naming){&t->names, t->number, t->policy.board.places, t->policy.board.seekers};
+}
+
+static table_name name_of(const char *name, const char *what, unsigned number) {
+  table_name own;
+  if (name[0] != '\0')
+    snprintf(own.text, sizeof own.text, "%s", name);
+  else
+    snprintf(own.text, sizeof own.text, "%s %u", what, number);
+  return own;
 }
 
 table_name table_place_name(const table *t, unsigned place) {
-  table_name name;
-  snprintf(name.text, sizeof name.text, "place %u", table_number(t, place));
-  return name;
+  return name_of(t->names.place[place], "place", t->number[place]);
 }
 
 table_name table_robot_name(const table *t, int robot) {
-  table_name name;
-  (void)t;
-  snprintf(name.text, sizeof name.text, "robot %d", robot);
-  return name;
+  return name_of(t->names.seeker[robot], "robot", (unsigned)robot);
 }
 
 unsigned table_column(const table *t, qtr_cell cell) {

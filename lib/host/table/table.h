@@ -6,16 +6,18 @@
 
 #include "host/base/fault.h"
 #include "host/base/file.h"
+#include "host/base/naming.h"
 #include "quarter/claim.h"
 #include "quarter/names.h"
 #include "quarter/policy.h"
 
 typedef struct {
   file_bytes bytes;
-  qtr_policy policy;         /* views into `bytes` */
-  qtr_claim claim;           /* as well */
-  char name[QTR_NAME_BYTES]; /* of the mission; empty: the table has none */
-  qtr_geo geo;               /* where its map lies on the globe, if the mission said */
+  qtr_policy policy;               /* views into `bytes` */
+  qtr_claim claim;                 /* as well */
+  qtr_names names;                 /* of the mission, its places and robots */
+  qtr_geo geo;                     /* where its map lies on the globe, if the mission said */
+  uint16_t number[QTR_MAX_PLACES]; /* of each place, in the input */
 } table;
 
 /* One seeker's part of the nominal game. */
@@ -30,18 +32,20 @@ typedef struct {
 int table_read(table *t, const char *path, fault *why);
 
 /* Open `t->bytes`, which the caller has filled, without a look at the map: for who has just made them. QTR_OK, or an
- * error of qtr_policy_open() or qtr_policy_check(). */
+ * error of qtr_policy_open(), qtr_policy_check() or qtr_names_read(). */
 int table_open_bytes(table *t);
 
 void table_free(table *t);
 
-/* The input's number of a place; and the place of a number, -1 if it has none. */
-unsigned table_number(const table *t, unsigned place);
-int table_place(const table *t, unsigned number);
+/* Put behind a robot's table, which is all of the bytes, what people want to know. 0, or -1 with *why set. */
+int table_add_names(file_bytes *bytes, const qtr_names *names, const qtr_geo *geo, fault *why);
 
-/* What people call a place and a robot. */
+/* What places and seekers are called. */
+naming table_naming(const table *t);
+
+/* What a place and a robot are called where nothing around says what they are: "Bay 3", or "place 5". */
 typedef struct {
-  char text[32];
+  char text[QTR_SITE_NAME_BYTES];
 } table_name;
 
 table_name table_place_name(const table *t, unsigned place);

@@ -1,0 +1,127 @@
+#include "host/base/naming.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "host/base/near.h"
+#include "host/base/text.h"
+#include "host/base/utf8.h"
+
+static naming_label label_of(const char *name, unsigned number) {
+  naming_label label;
+  if (name[0] != '\0')
+    snprintf(label.text, sizeof label.text, "%s", name);
+  else
+    snprintf(label.text, sizeof label.text, "%u", number);
+  return label;
+}
+
+naming_label naming_place(const naming *n, unsigned place) {
+  return label_of(n->names->place[place], n->number[place]);
+}
+
+naming_label naming_seeker(const naming *n, unsigned seeker) {
+  return label_of(n->names->seeker[seeker], seeker);
+}
+
+/* ---- the other way ---- */
+
+static const char *nearest(const char names[][QTR_SITE_NAME_BYTES], int count, const char *word) {
+  const char *known[(QTR_MAX_PLACES > QTR_MAX_SEEKERS ? QTR_MAX_PLACES : QTR_MAX_SEEKERS) + 1];
+  int named = 0;
+  for (int i = 0; i < count; i++)
+    if (names[i][0] != '\0') known[named++] = names[i];
+  known[named] = NULL;
+  return near_word(word, known);
+}
+
+static int find_name(const char names[][QTR_SITE_NAME_BYTES], int count, const char *word) {
+  for (int i = 0; word[0] != '\0' && i < count; i++)
+    if (strcmp(names[i], word) == 0) return i;
+  return -1;
+}
+
+static int find_number(const uint16_t *number, int count, const char *word) {
+  long value;
+  if (word[0] < '0' || word[0] > '9' || !text_integer(&value, word, strlen(word))) return -1;
+  for (int i = 0; i < count; i++)
+    if (value == (number != NULL ? number[i] : i)) return i;
+  return -1;
+}
+
+int naming_find_place(const naming *n, const char *word, char *wrong) {
+  int place = find_name(n->names->place, n->places, word);
+  if (place < 0) place = find_number(n->number, n->places, word);
+  if (place >= 0) return place;
+  const char *meant = nearest(n->names->place, n->places, word);
+  const unsigned last = n->number[n->places - 1];
+  if (meant != NULL)
+    snprintf(wrong, FAULT_LINE, "there is no place %.100s; did you mean '%s'?", word, meant);
+  else
+    snprintf(wrong, FAULT_LINE, "there is no place %.100s; there are places %u to %u%s%s", word, n->number[0], last,
+             n->number[0] != 0 || last != (unsigned)n->places - 1u ? " but those that were left out" : "",
+             naming_has_places(n) ? ", or give a name" : "");
+  return -1;
+}
+
+int naming_find_seeker(const naming *n, const char *word, char *wrong) {
+  int seeker = find_name(n->names->seeker, n->seekers, word);
+  if (seeker < 0) seeker = find_number(NULL, n->seekers, word);
+  if (seeker >= 0) return seeker;
+  const char *meant = nearest(n->names->seeker, n->seekers, word);
+  if (meant != NULL)
+    snprintf(wrong, FAULT_LINE, "there is no robot %.100s; did you mean '%s'?", word, meant);
+  else
+    snprintf(wrong, FAULT_LINE, "there is no robot %.100s; there are robots 0 to %d", word, n->seekers - 1);
+  return -1;
+}
+
+int naming_list_places(qtr_places *places, const naming *n, const char *list, char *wrong) {
+  if (find_name(n->names->place, n->places, list) >= 0) {
+    qtr_places_add(places, (unsigned)find_name(n->names->place, n->places, list));
+    return 0;
+  }
+  for (const char *at = list; at != NULL; at = strchr(at, ',') != NULL ? strchr(at, ',') + 1 : NULL) {
+    char word[QTR_SITE_NAME_BYTES];
+    const char *from = at;
+    size_t length = strcspn(at, ",");
+    text_trim(&from, &length);
+    snprintf(word, sizeof word, "%.*s", (int)length, from);
+    const int place = naming_find_place(n, word, wrong);
+    if (place < 0) return -1;
+    qtr_places_add(places, (unsigned)place);
+  }
+  return 0;
+}
+
+/* ---- as JSON ---- */
+
+bool naming_has_places(const naming *n) {
+  for (int i = 0; i < n->places; i++)
+    if (n->names->place[i][0] != '\0') return true;
+  return false;
+}
+
+void naming_json_place(const naming *n, json *j, unsigned place) {
+  if (n->names->place[place][0] != '\0') json_string(j, "name", n->names->place[place]);
+}
+
+void naming_json_seeker(const naming *n, json *j, unsigned seeker) {
+  if (n->names->seeker[seeker][0] != '\0') json_string(j, "name", n->names->seeker[seeker]);
+}
+
+/* ---- what may be a name ---- */
+
+const char *naming_wrong(const char *text) {
+  const size_t length = strlen(text);
+  if (length == 0 || text_blank(text, length)) return "is empty";
+  if (text_blank(text, 1) || text_blank(text + length - 1, 1)) return "begins or ends with a blank";
+  if (length >= QTR_SITE_NAME_BYTES) return "is too long";
+  for (const char *c = text; *c != '\0';) {
+    const int bytes = utf8_length(c);
+    if (bytes == 0) return "is not UTF-8";
+    if ((unsigned char)*c < 0x20 || (unsigned char)*c == 0x7f) return "has a control character";
+    c += bytes;
+  }
+  return NULL;
+}
