@@ -42,6 +42,8 @@ HOMES = {
     "yaml.h": "lib/host/input/tree.c",
     "spng.h": "lib/host/input/png.c",
     "stb_image.h": "lib/host/input/bmp.c",
+    "librsvg/": "tools/draw_render.c",
+    "cairo": "tools/draw_render.c",
     "proj.h": "lib/host/geo/projection.c",
 }
 

@@ -31,6 +31,7 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   have() { return 1; }
   have_pip() { return 1; }
   has_library() { return 1; }
+  has_rsvg() { return 1; }
   packages() { command=$1 && parts_of "$1" && missing_packages | paste -sd ' '; }
   local host="cmake gcc libc6-dev libyaml-dev ninja-build"
   expect "packages of quarter" "$(packages quarter)" "$host"
@@ -41,8 +42,8 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   expect "packages of games" "$(packages games)" "$found"
   expect "packages of losses" "$(packages losses)" "$found"
   expect "packages of test" "$(packages test)" "$found"
-  expect "tools of demo" "$(command=demo && parts_of demo && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev libproj-dev libsodium-dev"
-  expect "tools of quarter" "$(command=quarter && parts_of quarter && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev libproj-dev"
+  expect "tools of demo" "$(command=demo && parts_of demo && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev libproj-dev librsvg2-dev libsodium-dev"
+  expect "tools of quarter" "$(command=quarter && parts_of quarter && missing_tools | paste -sd ' ')" "libspng-dev libstb-dev libproj-dev librsvg2-dev"
   parts_of test
   has_picolibc() { return 1; }
   board_kinds=arm
@@ -50,17 +51,17 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   board_kinds=""
   has_browser_package() { return 1; }
   expect "tools of test where there is no browser to be had" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "iproute2 libproj-dev libsodium-dev libspng-dev libstb-dev nftables spin"
+    "iproute2 libproj-dev librsvg2-dev libsodium-dev libspng-dev libstb-dev nftables spin"
   apt-cache() { return 0; }
   with_firmware=yes
   found=$(command=test missing_tools | tr ' ' '\n' | sort -u | paste -sd ' ')
   expect "tools of test --firmware" "$found" "avr-libc clang cppcheck g++ gcc-arm-none-eabi gcc-avr gcc-i686-linux-gnu \
-gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libproj-dev libsodium-dev \
+gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libproj-dev librsvg2-dev libsodium-dev \
 libspng-dev libstb-dev nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user simavr spin"
   with_firmware=""
   has_browser_package() { return 0; }
   expect "tools of test" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "chromium chromium-driver iproute2 libproj-dev libsodium-dev libspng-dev libstb-dev nftables spin"
+    "chromium chromium-driver iproute2 libproj-dev librsvg2-dev libsodium-dev libspng-dev libstb-dev nftables spin"
 }
 
 test_without_root_one_line_to_paste_names_all() {

@@ -1,10 +1,12 @@
 #include <inttypes.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "commands.h"
+#include "draw_render.h"
 #include "draw_svg.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
@@ -24,6 +26,7 @@
 
 static const char intro[] =
     "quarter draw mission.qtr -o mission.svg            the map, the places, each seeker's territory and route\n"
+    "quarter draw mission.qtr -o mission.png            the same as PNG; or .pdf\n"
     "quarter draw mission.yaml -o map.svg               the map, places and starts alone, before learning\n"
     "quarter draw map.txt --regions -o regions.svg      the regions that the map divides into\n"
     "quarter draw map.txt --spots -o spots.svg          the hiding spots that its places form\n"
@@ -34,8 +37,10 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
-    {"output", "the SVG picture (required)", 0},
+    {"output", "the picture (required)", 0},
+    {"format", "svg, png or pdf; else as FILE ends, or svg", 0},
     {"robots, cell-size, skip-unreachable, snap", "as in 'quarter learn', for inputs", 71},
+    OPTION_LINE("dark"),
     OPTION_LINE("regions"),
     {"region-size region-diameter", "cells of a region, and steps between any two (default %s, %s)", 46},
     {"region-likelihood", "as in 'quarter learn'", 46},
@@ -118,7 +123,11 @@ static int from_input(sheet *s, const options *o, fault *why) {
   memcpy(s->cost, mission->cost, cells);
   s->d.columns = mission->columns;
   s->d.rows = mission->rows;
-  s->d.cell_size = desk->drawn.in.frame.metric ? desk->drawn.in.frame.cell_size : 0.0;
+  const input_frame *frame = &desk->drawn.in.frame;
+  s->d.cell_size = frame->metric ? frame->cell_size : 0.0;
+  s->d.turned = frame->yaw != 0.0;
+  s->d.x = frame->origin_x;
+  s->d.y = frame->origin_y;
   s->d.places = mission->places;
   s->d.number = desk->drawn.in.place_number;
   s->d.names = &desk->drawn.in.names;
@@ -167,7 +176,8 @@ static void add_certificate(sheet *s, const table *t) {
   if (c.certified && c.gap < 1e-9)
     add_line(s, "certified\toptimal");
   else
-    add_line(s, c.certified ? "certified\tgap %.2g%%" : "not certified\tgap %.2g%%", 100.0 * c.gap);
+    add_line(s, "%s\tgap %s%.2g%%", c.certified ? "certified" : "not certified", c.gap < 1e-5 ? "below " : "",
+             100.0 * fmax(c.gap, 1e-5));
   add_line(s, "expected time\t%s", measured(c.expected_time, "step").text);
   add_line(s, "discounted value\t%.5g", c.value);
   add_line(s, words->unit != NULL ? "%s\t%.5g %ss" : "%s\t%.5g", words->limit, c.bound, words->unit);
@@ -182,7 +192,11 @@ static int from_table(sheet *s, const table *t, fault *why) {
     s->cost[on_map(t, (qtr_cell)cell)] = (uint8_t)qtr_grid_cost(&policy->grid, (qtr_cell)cell);
   s->d.columns = t->claim.map_columns;
   s->d.rows = t->claim.map_rows;
-  s->d.cell_size = qtr_policy_frame(policy).cell_size_um / 1e6;
+  const qtr_frame frame = qtr_policy_frame(policy);
+  s->d.cell_size = frame.cell_size_um / 1e6;
+  s->d.turned = frame.sine != 0 || frame.cosine < 0;
+  table_map_origin(t, &s->d.x, &s->d.y);
+  s->d.reached_alone = true;
   s->d.places = policy->board.places;
   for (unsigned place = 0; place < policy->board.places; place++) {
     s->place[place] = on_map(t, qtr_policy_cell(policy, place));
@@ -273,14 +287,35 @@ static void write_nothing(FILE *out, const void *what) {
   (void)what;
 }
 
-static int write_picture(const sheet *s, const options *o, fault *why) {
+/* What draw_svg() writes, in memory; newly allocated. NULL with *why set. */
+static char *draw_text(const sheet *s, const options *o, size_t *length, fault *why) {
+  char *text = NULL;
+  FILE *memory = open_memstream(&text, length);
+  const bool drawn = memory != NULL && draw_svg(memory, &s->d) == 0;
+  if (memory != NULL && fclose(memory) == 0 && drawn) return text;
+  free(text);
+  fault_set(why, "%s: cannot be drawn: no memory, or a route that leaves its map", o->input);
+  return NULL;
+}
+
+static int write_picture(const sheet *s, const options *o, enum draw_form form, fault *why) {
   outfile out;
-  if (outfile_open(&out, o->output, why) != 0) return -1;
-  if (draw_svg(out.file, &s->d) != 0) {
-    outfile_abort(&out);
-    return fault_set(why, "%s: cannot be drawn: no memory, or a route that leaves its map", o->input);
+  size_t length;
+  char *text = draw_text(s, o, &length, why);
+  if (text == NULL) return -1;
+  int status = outfile_open(&out, o->output, why);
+  if (status == 0) {
+    if (form == DRAW_SVG)
+      fwrite(text, 1, length, out.file);
+    else
+      status = draw_render(out.file, text, length, form, why);
+    if (status == 0)
+      status = outfile_commit(&out, why);
+    else
+      outfile_abort(&out);
   }
-  return outfile_commit(&out, why);
+  free(text);
+  return status;
 }
 
 /* The mission's name, or the file's, a table's without the suffix. */
@@ -304,28 +339,40 @@ static int fill_sheet(sheet *s, const options *o, fault *why) {
   return status;
 }
 
-/* A name that promises another format would be believed. */
-static int check_output(const options *o, fault *why) {
-  static const char *const others[] = {".png", ".jpg", ".jpeg", ".pdf", ".gif", ".bmp", ".webp", ".eps", ".ps", ".tif"};
+/* By --format, or as the output's name ends; one that ends in no way that is known is an SVG. */
+static int find_form(enum draw_form *form, const options *o, fault *why) {
+  static const char *const others[] = {".jpg", ".jpeg", ".gif", ".bmp", ".webp", ".eps", ".ps", ".tif"};
+  int index;
+  *form = DRAW_SVG;
   if (o->output == NULL) return fault_set(why, "draw: say where to with -o FILE.svg");
+  if (o->format != NULL) {
+    if (option_word(&index, "format", o->format, strlen(o->format), draw_forms, why) != 0) return -1;
+    *form = (enum draw_form)index;
+    return 0;
+  }
   const char *dot = strrchr(o->output, '.');
+  for (int i = 0; dot != NULL && draw_forms[i] != NULL; i++)
+    if (strcasecmp(dot + 1, draw_forms[i]) == 0) *form = (enum draw_form)i;
+  /* A name that promises another format would be believed. */
   for (size_t i = 0; dot != NULL && i < sizeof others / sizeof others[0]; i++)
     if (strcasecmp(dot, others[i]) == 0)
-      return fault_set(why, "-o %s: the picture is an SVG; name it %.*s.svg, and convert that", o->output,
+      return fault_set(why, "-o %s: the picture is SVG, PNG or PDF; name it %.*s.png, and convert that", o->output,
                        (int)(dot - o->output), o->output);
   return 0;
 }
 
 static int draw(const options *o, fault *why) {
-  if (check_output(o, why) != 0) return -1;
+  enum draw_form form;
+  if (find_form(&form, o, why) != 0) return -1;
   desk = memory_take(sizeof *desk, why);
   if (desk == NULL) return -1;
   set_arrays(&picture);
+  picture.d.dark = o->dark;
   int status = fill_sheet(&picture, o, why);
   picture.d.title = title_of(o);
   if (status == 0 && o->regions) status = add_regions(&picture, o, why);
   if (status == 0 && o->spots) status = add_spots(&picture, o, why);
-  if (status == 0) status = write_picture(&picture, o, why);
+  if (status == 0) status = write_picture(&picture, o, form, why);
   return status == 0 ? print_report(o, write_json, write_nothing, &picture, why) : -1;
 }
 

@@ -2,6 +2,7 @@
 #ifndef QUARTER_TOOLS_DRAW_INPUT_H
 #define QUARTER_TOOLS_DRAW_INPUT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -23,6 +24,10 @@ typedef struct {
   unsigned columns, rows;
   const uint8_t *cost; /* of each cell: 0 blocked, 1 free, more: slow ground */
   double cell_size;    /* metres a cell; 0: unknown */
+  bool turned;         /* the map against the map frame: rows and columns are no axes of that */
+  double x, y;         /* of the outer corner of the bottom-left cell, metres in the map frame */
+  bool reached_alone;  /* the map holds what can be reached, and nothing of the rest */
+  bool dark;           /* for dark pages */
   int places;          /* 0..QTR_MAX_PLACES */
   const qtr_cell *place;
   const double *likelihood; /* of each place; any unit */

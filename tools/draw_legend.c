@@ -34,10 +34,12 @@ static bool has_visits(const drawing *d) {
   return any;
 }
 
-static int key_height(const drawing *d) {
+static int key_height(const draw_page *page) {
+  const drawing *d = page->d;
   int slowest;
   return (d->places > 0 ? SIZES_ROW : 0) + (has_visits(d) ? KEY_ROW : 0) +
-         (has_slow_ground(d, &slowest) ? KEY_ROW : 0) + (d->cell_size > 0 ? KEY_ROW : 0);
+         (has_slow_ground(d, &slowest) ? KEY_ROW : 0) + (page->pockets ? KEY_ROW : 0) + KEY_ROW +
+         (d->cell_size > 0 ? KEY_ROW : 0);
 }
 
 double draw_legend_width(const draw_page *page) {
@@ -53,7 +55,7 @@ double draw_legend_width(const draw_page *page) {
 
 double draw_legend_height(const draw_page *page) {
   const drawing *d = page->d;
-  return SEEKER_ROW * d->seekers + (d->lines > 0 ? GAP + LINE_ROW * d->lines : 0) + GAP + key_height(d);
+  return SEEKER_ROW * d->seekers + (d->lines > 0 ? GAP + LINE_ROW * d->lines : 0) + GAP + key_height(page);
 }
 
 static void put_text(const draw_page *page, double x, double y, const char *attributes, const char *text, int most) {
@@ -62,23 +64,32 @@ static void put_text(const draw_page *page, double x, double y, const char *attr
   fputs("</text>\n", page->out);
 }
 
+/* What explains. */
+static void put_muted(const draw_page *page, double x, double y, const char *text, int most) {
+  char attributes[40];
+  snprintf(attributes, sizeof attributes, " fill=\"%s\"", page->theme->muted);
+  put_text(page, x, y, attributes, text, most);
+}
+
 static double draw_seekers(const draw_page *page, double y) {
   for (int seeker = 0; seeker < page->d->seekers; seeker++, y += SEEKER_ROW) {
     char text[SEEKER_TEXT], colour[8];
     seeker_text(text, page->d, seeker);
-    fprintf(page->out, "<path stroke=\"%s\" stroke-width=\"3\" stroke-linecap=\"round\"%s d=\"M%.2f %.2fh28\"/>\n",
-            draw_colour(colour, seeker), draw_dashes(seeker), page->legend_x + 22, y + 9);
+    const bool walks = page->d->seeker[seeker].places > 0 || page->d->seeker[seeker].trail != NULL;
+    if (walks)
+      fprintf(page->out, "<path stroke=\"%s\" stroke-width=\"3\" stroke-linecap=\"round\"%s d=\"M%.2f %.2fh28\"/>\n",
+              draw_colour(page, colour, seeker), draw_dashes(seeker), page->legend_x + 22, y + 9);
     fputs("<g text-anchor=\"middle\" font-weight=\"bold\">", page->out);
     draw_badge(page, seeker, page->legend_x + 9, y + 9, 17);
     fputs("</g>", page->out);
-    put_text(page, page->legend_x + 60, y + 13.5, "", text, SEEKER_TEXT);
+    put_text(page, page->legend_x + (walks ? 60 : 28), y + 13.5, "", text, SEEKER_TEXT);
   }
   return y;
 }
 
 static void draw_rule(const draw_page *page, double y) {
-  fprintf(page->out, "<path stroke=\"%s\" stroke-opacity=\"0.25\" d=\"M%.2f %.2fh%.2f\"/>\n", DRAW_INK, page->legend_x,
-          y, page->legend_width);
+  fprintf(page->out, "<path stroke=\"%s\" stroke-opacity=\"0.25\" d=\"M%.2f %.2fh%.2f\"/>\n", page->theme->ink,
+          page->legend_x, y, page->legend_width);
 }
 
 /* "name<tab>value" with the value at the right edge, or a line as it is. */
@@ -91,7 +102,7 @@ static void draw_line(const draw_page *page, double y, const char *line) {
     return;
   }
   snprintf(name, sizeof name, "%.*s", (int)(tab - line), line);
-  put_text(page, page->legend_x, y, " fill=\"" DRAW_MUTED "\"", name, most);
+  put_muted(page, page->legend_x, y, name, most);
   put_text(page, page->legend_x + page->legend_width, y, " text-anchor=\"end\"", tab + 1, most);
 }
 
@@ -122,29 +133,47 @@ static void draw_sizes(const draw_page *page, double y) {
     const double radius = fmax(2.5, draw_radius(page, shown[s]));
     fprintf(page->out,
             "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.3\"/>\n",
-            x + radius + 1, middle, radius, DRAW_INK);
+            x + radius + 1, middle, radius, page->theme->ink);
     const double percent = 100 * shown[s] / sum;
     snprintf(text, sizeof text, percent < 9.95 ? "%.2g %%" : "%.0f %%", percent);
     put_text(page, x + 2 * radius + 8, middle + 4.5, "", text, 40);
     x += 2 * radius + 18 + draw_text_width(text, 13);
   }
-  put_text(page, x, middle + 4.5, " fill=\"" DRAW_MUTED "\"", "likelihood", 40);
+  put_muted(page, x, middle + 4.5, "likelihood", 40);
 }
 
 /* What the labels beside the places say. */
 static void draw_label_key(const draw_page *page, double y) {
   put_text(page, page->legend_x, y + 14.5, " font-size=\"10.5\"", "2nd", 10);
-  put_text(page, page->legend_x + 32, y + 14.5, " fill=\"" DRAW_MUTED "\"", "second visit of its seeker", 40);
+  put_muted(page, page->legend_x + 32, y + 14.5, "second visit of its seeker", 40);
+}
+
+/* A square of ground, `column` squares from the left. */
+static void draw_swatch(const draw_page *page, double y, int column, const char *fill) {
+  fprintf(page->out,
+          "<rect x=\"%.2f\" y=\"%.2f\" width=\"22\" height=\"16\" fill=\"%s\"/><rect x=\"%.2f\" y=\"%.2f\" "
+          "width=\"22\" height=\"16\" fill=\"%s\" stroke=\"%s\" stroke-opacity=\"0.5\"/>\n",
+          page->legend_x + 26 * column, y + 2, page->theme->ground, page->legend_x + 26 * column, y + 2, fill,
+          page->theme->ink);
 }
 
 static void draw_slow(const draw_page *page, double y, int slowest) {
   char text[60];
   snprintf(text, sizeof text, "slow, up to %d steps a cell", slowest);
-  fprintf(page->out,
-          "<rect x=\"%.2f\" y=\"%.2f\" width=\"22\" height=\"16\" fill=\"#fff\" stroke=\"%s\" stroke-opacity=\"0.5\"/>"
-          "<rect x=\"%.2f\" y=\"%.2f\" width=\"22\" height=\"16\" fill=\"url(#slow-key)\"/>\n",
-          page->legend_x, y + 2, DRAW_INK, page->legend_x, y + 2);
-  put_text(page, page->legend_x + 32, y + 14.5, " fill=\"" DRAW_MUTED "\"", text, 60);
+  draw_swatch(page, y, 0, "url(#slow-key)");
+  put_muted(page, page->legend_x + 32, y + 14.5, text, 60);
+}
+
+static void draw_blocked(const draw_page *page, double y) {
+  draw_swatch(page, y, 0, page->theme->wall);
+  if (page->solid) draw_swatch(page, y, 1, page->theme->solid);
+  put_muted(page, page->legend_x + (page->solid ? 58 : 32), y + 14.5,
+            page->d->reached_alone ? "blocked, or out of reach" : "blocked", 40);
+}
+
+static void draw_pocket(const draw_page *page, double y) {
+  draw_swatch(page, y, 0, "url(#pocket-key)");
+  put_muted(page, page->legend_x + 32, y + 14.5, "free, but no robot gets there", 40);
 }
 
 /* 1, 2 or 5 times a power of ten, in metres: the longest that takes up to a third of the map or of the legend. */
@@ -164,14 +193,14 @@ static void draw_scale(const draw_page *page, double y) {
   if (metres <= 0) return;
   fprintf(page->out,
           "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.6\" d=\"M%.2f %.2fv8M%.2f %.2fh%.2fm0 -4v8\"/>\n",
-          DRAW_INK, page->legend_x + 1, y + 6, page->legend_x + 1, y + 10, pixels);
+          page->theme->ink, page->legend_x + 1, y + 6, page->legend_x + 1, y + 10, pixels);
   snprintf(text, sizeof text, "%g m", metres);
-  put_text(page, page->legend_x + pixels + 10, y + 14.5, " fill=\"" DRAW_MUTED "\"", text, 40);
+  put_muted(page, page->legend_x + pixels + 10, y + 14.5, text, 40);
 }
 
 static void draw_key(const draw_page *page, double y) {
   int slowest;
-  if (key_height(page->d) > 0) draw_rule(page, y + GAP / 2.0 - 2);
+  draw_rule(page, y + GAP / 2.0 - 2);
   y += GAP;
   if (page->d->places > 0) {
     draw_sizes(page, y);
@@ -185,11 +214,16 @@ static void draw_key(const draw_page *page, double y) {
     draw_slow(page, y, slowest);
     y += KEY_ROW;
   }
-  if (page->d->cell_size > 0) draw_scale(page, y);
+  if (page->pockets) {
+    draw_pocket(page, y);
+    y += KEY_ROW;
+  }
+  draw_blocked(page, y);
+  if (page->d->cell_size > 0) draw_scale(page, y + KEY_ROW);
 }
 
 void draw_legend(const draw_page *page) {
-  fprintf(page->out, "<g id=\"legend\" font-size=\"13\" fill=\"%s\">\n", DRAW_INK);
+  fprintf(page->out, "<g id=\"legend\" font-size=\"13\" fill=\"%s\">\n", page->theme->ink);
   draw_key(page, draw_lines(page, draw_seekers(page, page->y)));
   fputs("</g>\n", page->out);
 }

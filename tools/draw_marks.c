@@ -10,8 +10,8 @@ void draw_badge(const draw_page *page, int seeker, double x, double y, double si
   fprintf(page->out,
           "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" rx=\"3\" fill=\"%s\" stroke=\"%s\" "
           "stroke-width=\"1.4\"/><text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" fill=\"%s\">%d</text>\n",
-          x - size / 2, y - size / 2, size, size, draw_colour(colour, seeker), DRAW_INK, x, y + 0.36 * 0.66 * size,
-          (seeker < 100 ? 0.66 : 0.5) * size, draw_ink(seeker), seeker);
+          x - size / 2, y - size / 2, size, size, draw_colour(page, colour, seeker), page->theme->ink, x,
+          y + 0.36 * 0.66 * size, (seeker < 100 ? 0.66 : 0.5) * size, draw_ink(page, seeker), seeker);
 }
 
 /* ---- places ---- */
@@ -61,7 +61,7 @@ static void draw_place(draw_page *page, int place) {
             (unsigned long)d->seeker[visitor].step[page->visit[place]]);
   fprintf(page->out,
           "</title><circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.3\"/></g>\n",
-          at.x, at.y, radius, wears < 0 ? "#fff" : draw_colour(colour, wears), DRAW_INK);
+          at.x, at.y, radius, wears < 0 ? page->theme->ground : draw_colour(page, colour, wears), page->theme->ink);
   draw_take(page, &(draw_box){at.x - radius, at.y - radius, 2 * radius, 2 * radius});
 }
 
@@ -115,8 +115,8 @@ static void draw_leader(const draw_page *page, draw_point at, const draw_box *bl
   if (hypot(x - at.x, y - at.y) < 2) return;
   fprintf(page->out,
           "<path stroke=\"%s\" stroke-width=\"1.4\" d=\"M%.2f %.2fL%.2f %.2f\"/><circle cx=\"%.2f\" cy=\"%.2f\" "
-          "r=\"2.6\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"0.8\"/>\n",
-          DRAW_INK, at.x, at.y, x, y, at.x, at.y, DRAW_INK);
+          "r=\"2.6\" fill=\"%s\" stroke=\"%s\" stroke-width=\"0.8\"/>\n",
+          page->theme->ink, at.x, at.y, x, y, at.x, at.y, page->theme->ink, page->theme->ground);
 }
 
 static void draw_start(draw_page *page, int seeker, int count) {
@@ -158,6 +158,8 @@ static void spot_mark(char text[QTR_SITE_NAME_BYTES], int spot) {
   snprintf(text, QTR_SITE_NAME_BYTES, spot < 26 ? "%c" : "%d", spot < 26 ? 'A' + spot : spot + 1);
 }
 
+#define BOLD 1.17 /* how much wider bold text is */
+
 /* What stands inside a place: its spot's letter, or what it is called where there is room. False: nothing. */
 static bool draw_inside(const draw_page *page, int place) {
   const draw_point at = place_centre(page, place);
@@ -166,10 +168,10 @@ static bool draw_inside(const draw_page *page, int place) {
   naming_label label = draw_place_label(page->d, place);
   if (page->d->spot != NULL)
     spot_mark(label.text, page->d->spot[place]);
-  else if (draw_text_width(label.text, size) > 2 * radius - 3)
+  else if (BOLD * draw_text_width(label.text, size) > 2 * radius - 3)
     return false;
   fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" font-size=\"%.1f\" font-weight=\"bold\" fill=\"%s\">", at.x,
-          at.y + 0.36 * size, size, wears < 0 ? DRAW_INK : draw_ink(wears));
+          at.y + 0.36 * size, size, wears < 0 ? page->theme->ink : draw_ink(page, wears));
   xml_text(page->out, label.text, QTR_SITE_NAME_BYTES);
   fputs("</text>\n", page->out);
   return page->d->spot == NULL;
@@ -210,9 +212,9 @@ static void draw_labels(draw_page *page) {
   fputs("<g id=\"numbers\" text-anchor=\"middle\">\n", page->out);
   for (int p = 0; p < page->d->places; p++) numbered[p] = draw_inside(page, p);
   fprintf(page->out,
-          "</g>\n<g id=\"labels\" font-size=\"10.5\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"3\" "
+          "</g>\n<g id=\"labels\" font-size=\"10.5\" fill=\"%s\" stroke=\"%s\" stroke-width=\"3\" "
           "stroke-linejoin=\"round\" paint-order=\"stroke\">\n",
-          DRAW_INK);
+          page->theme->ink, page->theme->ground);
   for (int p = 0; p < page->d->places; p++)
     if (!numbered[p]) draw_label(page, p, false);
   for (int p = 0; p < page->d->places; p++)

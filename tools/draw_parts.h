@@ -8,12 +8,17 @@
 #include "draw_input.h"
 #include "host/base/naming.h"
 
-#define DRAW_GROUND "#ffffff"
-#define DRAW_INK "#1f2a36"
-#define DRAW_MUTED "#5d6976"
-#define DRAW_WALL "#3d4a57"
-#define DRAW_SOLID "#d3d8dd" /* blocked, away from free cells */
-#define DRAW_SLOW "#8a6d3b"
+/* The colours of a picture, but for its seekers'. */
+typedef struct {
+  const char *page;
+  const char *ground;
+  const char *ink;
+  const char *muted;
+  const char *wall;
+  const char *solid; /* blocked, away from free cells */
+  const char *slow;
+  double tint; /* how much of a seeker's colour its territory has */
+} draw_theme;
 
 typedef struct {
   double x, y;
@@ -24,11 +29,13 @@ typedef struct {
   double x, y, width, height;
 } draw_box;
 
+enum { DRAW_AXIS_LEFT = 46, DRAW_AXIS_BOTTOM = 34 };
 enum { DRAW_BOXES = 2 * QTR_MAX_PLACES + QTR_MAX_SEEKERS };
 
 typedef struct {
   FILE *out;
   const drawing *d;
+  const draw_theme *theme;
   /* the part of the map that is shown, in cells, and where it goes, in pixels of the picture */
   unsigned left, top, columns, rows;
   double cell, x, y, width, height;
@@ -40,17 +47,20 @@ typedef struct {
   int lane[QTR_MAX_SEEKERS];   /* how far beside the cells' middles a trajectory runs */
   int boxes;
   draw_box box[DRAW_BOXES]; /* where places, starts and labels stand */
+  bool pockets;             /* some free cells are out of reach */
+  bool solid;               /* some blocked ones lie away from free cells */
   uint16_t *layer;          /* scratch: a number for each cell of the map */
   qtr_cell *queue;          /* scratch, as many */
 } draw_page;
 
 /* ---- draw_style.c ---- */
 
+const draw_theme *draw_theme_of(const drawing *d);
 /* "#rrggbb", from a palette that the colour-blind can tell apart (Okabe and Ito 2008), varied from the 8th seeker
  * on. */
-const char *draw_colour(char text[8], int seeker);
+const char *draw_colour(const draw_page *page, char text[8], int seeker);
 /* What to write in on that colour. */
-const char *draw_ink(int seeker);
+const char *draw_ink(const draw_page *page, int seeker);
 /* Of the seeker's lines: empty, or a stroke-dasharray attribute where colours come again. */
 const char *draw_dashes(int seeker);
 /* Width in pixels of a text, roughly. */
@@ -75,6 +85,8 @@ double draw_radius(const draw_page *page, double likelihood);
 /* The largest radius of a place at which places near one another do not cover each other, within bounds. */
 double draw_fit_radius(const draw_page *page);
 void draw_map(draw_page *page);
+/* Finds out what the legend is to explain: page->pockets and page->solid. */
+void draw_look(draw_page *page);
 void draw_trails(draw_page *page);
 /* Places, then the starts beside those that they would hide, then the labels where there is room for them. */
 void draw_marks(draw_page *page);
@@ -85,6 +97,12 @@ void draw_ordinal(char text[16], int number);
 void draw_assign_lanes(draw_page *page);
 /* How many lanes beside the middle a point of a trail lies. */
 int draw_lane(const draw_page *page, int seeker, size_t index);
+
+/* ---- draw_axes.c ---- */
+
+/* Along the map's lower and left edges, in DRAW_AXIS_LEFT and DRAW_AXIS_BOTTOM pixels: metres of the map frame, or
+ * columns and rows where it has none, or does not run along them. */
+void draw_axes(const draw_page *page);
 
 /* ---- draw_labels.c ---- */
 

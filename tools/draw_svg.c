@@ -43,14 +43,14 @@ static void lay_out(draw_page *page) {
   const unsigned longest = page->columns > page->rows ? page->columns : page->rows;
   page->cell = fmin(64, (double)LONGEST_SIDE / longest);
   if (page->cell > 4) page->cell = floor(page->cell);
-  page->x = PAD;
+  page->x = PAD + DRAW_AXIS_LEFT;
   page->y = PAD + (page->d->title != NULL ? TITLE : 0);
   page->width = page->cell * page->columns;
   page->height = page->cell * page->rows;
   page->legend_x = page->x + page->width + PAD;
   page->legend_width = draw_legend_width(page);
   page->page_width = page->legend_x + page->legend_width + PAD;
-  page->page_height = page->y + fmax(page->height, draw_legend_height(page)) + PAD;
+  page->page_height = page->y + fmax(page->height + DRAW_AXIS_BOTTOM, draw_legend_height(page)) + PAD;
 }
 
 static void find_visitors(draw_page *page) {
@@ -113,11 +113,22 @@ static void describe(const draw_page *page) {
   fputs("</desc>\n", page->out);
 }
 
-static void define_hatching(const draw_page *page, const char *name, double size) {
+/* Lines `size` apart, `angle` degrees from upright, of which a share is ink. */
+static void define_hatching(const draw_page *page, const char *name, double size, int angle, const char *colour,
+                            double share) {
   fprintf(page->out,
           "<pattern id=\"%s\" width=\"%.5f\" height=\"%.5f\" patternUnits=\"userSpaceOnUse\" "
-          "patternTransform=\"rotate(45)\"><path d=\"M0 0v%.5f\" stroke=\"%s\" stroke-width=\"%.5f\"/></pattern>\n",
-          name, size, size, size, DRAW_SLOW, size * 0.55);
+          "patternTransform=\"rotate(%d)\"><path d=\"M0 0v%.5f\" stroke=\"%s\" stroke-width=\"%.5f\"/></pattern>\n",
+          name, size, size, angle, size, colour, size * share);
+}
+
+/* Of the map, which is drawn in cells, and of the legend. */
+static void define_hatchings(const draw_page *page) {
+  const draw_theme *theme = page->theme;
+  define_hatching(page, "slow", 6 / page->cell, 45, theme->slow, 0.55);
+  define_hatching(page, "slow-key", 6, 45, theme->slow, 0.55);
+  define_hatching(page, "pocket", 5 / page->cell, -45, theme->muted, 0.3);
+  define_hatching(page, "pocket-key", 5, -45, theme->muted, 0.3);
 }
 
 static void begin_page(const draw_page *page) {
@@ -128,9 +139,8 @@ static void begin_page(const draw_page *page) {
           page->page_width, page->page_height, page->page_width, page->page_height);
   describe(page);
   fputs("<defs>\n", page->out);
-  define_hatching(page, "slow", 6 / page->cell);
-  define_hatching(page, "slow-key", 6);
-  fputs("</defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#fbfaf7\"/>\n", page->out);
+  define_hatchings(page);
+  fprintf(page->out, "</defs>\n<rect width=\"100%%\" height=\"100%%\" fill=\"%s\"/>\n", page->theme->page);
 }
 
 static void draw_title(const draw_page *page) {
@@ -138,13 +148,13 @@ static void draw_title(const draw_page *page) {
   if (page->d->title == NULL) return;
   const double size = fmax(13, fmin(19, 19 * room / fmax(1, draw_text_width(page->d->title, 19))));
   fprintf(page->out, "<text x=\"%d\" y=\"%d\" font-size=\"%.1f\" font-weight=\"bold\" fill=\"%s\">", PAD, PAD + 16,
-          size, DRAW_INK);
+          size, page->theme->ink);
   xml_text(page->out, page->d->title, (int)(room / (0.58 * size)));
   fputs("</text>\n", page->out);
 }
 
 int draw_svg(FILE *out, const drawing *d) {
-  draw_page page = {.out = out, .d = d};
+  draw_page page = {.out = out, .d = d, .theme = draw_theme_of(d)};
   const size_t cells = drawing_cells(d);
   if (!fits(d)) return -1;
   page.layer = malloc(cells * sizeof *page.layer);
@@ -152,12 +162,14 @@ int draw_svg(FILE *out, const drawing *d) {
   const bool ready = page.layer != NULL && page.queue != NULL;
   if (ready) {
     crop(&page);
+    draw_look(&page);
     lay_out(&page);
     find_visitors(&page);
     page.largest_radius = draw_fit_radius(&page);
     begin_page(&page);
     draw_title(&page);
     draw_map(&page);
+    draw_axes(&page);
     draw_trails(&page);
     draw_marks(&page);
     draw_legend(&page);

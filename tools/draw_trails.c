@@ -106,8 +106,8 @@ static void draw_arrow(const draw_page *page, int seeker, size_t first, size_t l
   /* In the middle of a cell's side, where the rounded line runs for sure. */
   const draw_point middle = towards(from, to, page->d->seeker[seeker].trail != NULL ? step / 2 : left);
   char colour[8];
-  fprintf(page->out, "<path class=\"arrow\" fill=\"%s\" stroke=\"#fff\" stroke-width=\"0.8\" d=\"",
-          draw_colour(colour, seeker));
+  fprintf(page->out, "<path class=\"arrow\" fill=\"%s\" stroke=\"%s\" stroke-width=\"0.8\" d=\"",
+          draw_colour(page, colour, seeker), page->theme->ground);
   put_point(page->out, 'M', (draw_point){middle.x + 1.1 * ux, middle.y + 1.1 * uy});
   put_point(page->out, 'L', (draw_point){middle.x - ux - uy, middle.y - uy + ux});
   put_point(page->out, 'L', (draw_point){middle.x - 0.5 * ux, middle.y - 0.5 * uy});
@@ -135,11 +135,11 @@ void draw_trails(draw_page *page) {
   for (int seeker = 0; seeker < page->d->seekers; seeker++) {
     char colour[8];
     if (way_length(&page->d->seeker[seeker]) < 2) continue;
-    fprintf(page->out, "<path class=\"casing\" stroke=\"#fff\" stroke-opacity=\"0.85\" stroke-width=\"%.2f\" d=\"",
-            width + 2.2);
+    fprintf(page->out, "<path class=\"casing\" stroke=\"%s\" stroke-opacity=\"0.85\" stroke-width=\"%.2f\" d=\"",
+            page->theme->ground, width + 2.2);
     draw_way(page, seeker);
     fprintf(page->out, "\"/>\n<path class=\"trajectory\" stroke=\"%s\" stroke-width=\"%.2f\"%s d=\"",
-            draw_colour(colour, seeker), width, draw_dashes(seeker));
+            draw_colour(page, colour, seeker), width, draw_dashes(seeker));
     draw_way(page, seeker);
     fputs("\"/>\n", page->out);
   }

@@ -274,6 +274,7 @@ option_table option_records = {
      .help = "places cleared beforehand, as every robot knows: their names or numbers",
      OWN(take_clear)},
     {.name = "target", .argument = "PLACE", .help = "where the target is; its finder stops everyone", TEXT(target)},
+    {.name = "dark", .help = "for dark pages", MARK(dark)},
     {.name = "regions", .help = "draw the borders of the map's regions", MARK(regions)},
     {.name = "spots", .help = "mark the places of each hiding spot alike, for inputs", MARK(spots)},
     {.name = "format", .argument = "FORMAT", .help = "of the output; else as its name ends", TEXT(format)},

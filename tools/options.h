@@ -32,7 +32,7 @@ typedef struct {
   int clears;
   const char *clear[OPTIONS_LISTS]; /* lists of places */
   /* drawing */
-  bool regions, spots;
+  bool regions, spots, dark;
   /* writing for others */
   const char *format; /* NULL: as the output's name ends */
   int robot;          /* -1: all */

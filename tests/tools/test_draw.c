@@ -389,6 +389,57 @@ static void test_metres_give_a_scale_and_regions_their_borders(void) {
   TEST_ASSERT_EQUAL_INT(1, count("d=\"M3 0v1M3 2v1M3 3v1\"")); /* not at the blocked cell */
 }
 
+/* The numbers of an axis, left to right or from the top, as they are written. */
+static void expect_ticks(const char *name, const char *expected) {
+  char found[400] = "";
+  char *axes = strdup(strstr(text, "id=\"axes\""));
+  strstr(axes, name)[1] = '\0';
+  const char *from = strstr(axes, ">column<") != NULL ? strstr(axes, ">column<") : strstr(axes, ">x, metres<");
+  for (const char *at = from != NULL ? from : axes; (at = strstr(at, "<text")) != NULL; at++) {
+    char number[20];
+    if (sscanf(strchr(at, '>') + 1, "%19[-0-9.]<", number) == 1) strcat(strcat(found, number), " ");
+  }
+  free(axes);
+  TEST_ASSERT_EQUAL_STRING(expected, found);
+}
+
+static void test_axes_count_columns_and_rows_where_there_are_no_metres(void) {
+  draw();
+  assert_well_formed();
+  expect_ticks(">column<", "0 1 2 3 4 5 ");
+  expect_ticks(">row<", "0 1 2 3 ");
+  d.cell_size = 0.5;
+  d.turned = true;
+  draw();
+  expect_ticks(">column<", "0 1 2 3 4 5 ");
+}
+
+static void test_axes_are_in_metres_of_the_map_frame(void) {
+  d.cell_size = 0.5;
+  d.x = -1.25;
+  d.y = 7;
+  draw();
+  assert_well_formed();
+  expect_ticks(">x, metres<", "-1 -0.5 0 0.5 1 1.5 ");
+  expect_ticks(">y, metres<", "7 7.5 8 8.5 9 ");
+}
+
+static void test_ground_that_no_robot_gets_to_is_marked_and_explained(void) {
+  draw();
+  TEST_ASSERT_EQUAL_INT(0, count("class=\"pocket\""));
+  TEST_ASSERT_EQUAL_INT(0, count("no robot gets there"));
+  for (int row = 0; row < ROWS; row++) cost[row * COLUMNS + 4] = 0;
+  draw();
+  assert_well_formed();
+  TEST_ASSERT_EQUAL_INT(1, count("class=\"pocket\""));
+  TEST_ASSERT_EQUAL_INT(1, count("d=\"M5 0h1v4h-1z\""));
+  TEST_ASSERT_EQUAL_INT(1, count("no robot gets there"));
+  TEST_ASSERT_EQUAL_INT(1, count(">blocked<"));
+  d.reached_alone = true;
+  draw();
+  TEST_ASSERT_EQUAL_INT(1, count(">blocked, or out of reach<"));
+}
+
 static void test_many_seekers_have_colours_and_lanes_of_their_own(void) {
   static drawing_seeker many[QTR_MAX_SEEKERS];
   for (int i = 0; i < QTR_MAX_SEEKERS; i++) many[i] = (drawing_seeker){0, trail0, 4, 0, NULL, NULL};
@@ -439,6 +490,9 @@ int main(void) {
   RUN_TEST(test_metres_give_a_scale_and_regions_their_borders);
   RUN_TEST(test_regions_are_dotted_where_their_representatives_are);
   RUN_TEST(test_places_of_a_spot_wear_one_letter);
+  RUN_TEST(test_axes_count_columns_and_rows_where_there_are_no_metres);
+  RUN_TEST(test_axes_are_in_metres_of_the_map_frame);
+  RUN_TEST(test_ground_that_no_robot_gets_to_is_marked_and_explained);
   RUN_TEST(test_many_seekers_have_colours_and_lanes_of_their_own);
   RUN_TEST(test_cells_off_the_map_are_refused);
   return UNITY_END();

@@ -81,8 +81,8 @@ static void test_slips_on_the_command_line(void) {
       {"--verison", "'--verison'", "there is no command", "did you mean '--version'?"},
       {"fly a.txt", "'fly'", "there is no command", "'quarter --help' lists them"},
       {"draw a.txt", "draw: ", "say where to", "-o FILE.svg"},
-      {"draw a.txt -o a.png", "-o a.png", "is an SVG", "name it a.svg"},
-      {"draw a.txt -o b/a.PDF", "-o b/a.PDF", "is an SVG", "name it b/a.svg"},
+      {"draw a.txt -o a.jpg", "-o a.jpg", "is SVG, PNG or PDF", "name it a.png"},
+      {"draw a.txt -o b/a.TIF", "-o b/a.TIF", "is SVG, PNG or PDF", "name it b/a.png"},
       {"belief a.txt", "belief: ", "name the games", "--history FILE"},
       {"simulate a.qtr --target 7", "--target", "there is no place 7", "places 0 to 0"},
       {"simulate a.qtr --clear 7", "--clear", "there is no place 7", "places 0 to 0"}};
