@@ -39,8 +39,9 @@ def examples_of(reference):
     """{heading: {key or another word for it: its example}} of the page."""
     parts = re.split(r"^## (.*)$", reference, flags=re.MULTILINE)
     return {
-        title: {word: example for name, also, example in ROW.findall(text) for word in [name, *re.findall(r"\w+", also)]}
+        title: {word: example for name, also, example in ROW.findall(text) for word in [name, *re.findall(r"`(\w+)`", also)]}
         for title, text in zip(parts[1::2], parts[2::2])
+        if ROW.search(text)
     }
 
 
@@ -115,6 +116,10 @@ def cases_of(reference, schema):
         def put(of, key, value, title=title, examples=examples):
             return set_key(BASE, title, of, key, value, examples, schema, pages[schema["title"]])
 
+        for first, second in [rule["not"]["required"] for rule in schema_of(schema, title).get("allOf", [])]:
+            both = put(schema_of(schema, title), first, load(examples[first]))
+            item_of(both, title, schema, pages[schema["title"]])[second] = load(examples[second])
+            cases.append((f"{first} and {second} of {title}", both, False))
         for key in examples:
             cases += cases_of_key(title, schema_of(schema, title), key, examples, put)
     cases += [

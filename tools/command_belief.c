@@ -9,6 +9,7 @@
 #include "host/base/file.h"
 #include "host/base/json.h"
 #include "host/base/outfile.h"
+#include "host/base/separated.h"
 #include "host/base/stop.h"
 #include "host/input/frame.h"
 #include "host/input/read.h"
@@ -149,7 +150,9 @@ static unsigned row_of(const estimation *s, unsigned place) {
 }
 
 static void write_csv(FILE *out, const estimation *s) {
-  fputs(s->in.frame.metric ? "x,y,weight\n" : "column,row,weight\n", out);
+  const naming n = input_naming(&s->in);
+  const bool named = naming_has_places(&n);
+  fprintf(out, "%s,weight%s\n", s->in.frame.metric ? "x,y" : "column,row", named ? ",name" : "");
   for (unsigned place = 0; place < s->belief.places; place++) {
     if (s->in.frame.metric) {
       const input_position centre = frame_centre(&s->in, s->in.mission.place[place], true);
@@ -157,7 +160,9 @@ static void write_csv(FILE *out, const estimation *s) {
     } else {
       fprintf(out, "%u,%u,", column_of(s, place), row_of(s, place));
     }
-    fprintf(out, "%.12g\n", s->after[place]);
+    fprintf(out, "%.12g", s->after[place]);
+    if (named) fputc(',', out), separated_put(out, s->in.names.place[place]);
+    fputc('\n', out);
   }
 }
 

@@ -39,6 +39,16 @@ static void write_text(FILE *out, const void *what) {
         "[schema](mission.schema.json) for editors; the reader, its messages and both of them are made of one list.\n",
         out);
   reference_write(out, what);
+  fputs(
+      "\n## A CSV of places\n"
+      "The file of `places_csv` has a header that names keys of a place, in any order and case, then a place a line: "
+      "`x,y,weight,name`.\n"
+      "Columns of other names stay where they are; a note says which. Fields that hold separators, quotes or line "
+      "breaks are quoted (RFC\n"
+      "4180). Where the header has `;` between its columns, numbers may have commas: `0,5`. Blank lines and lines that "
+      "begin with `#` are\n"
+      "passed over.\n",
+      out);
 }
 
 int command_keys(int argc, char **argv) {

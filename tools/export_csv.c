@@ -1,22 +1,9 @@
 /* Comma-separated values, RFC 4180, a waypoint a row: in cells, and in metres and seconds where these are known. */
 #include <inttypes.h>
 #include <math.h>
-#include <string.h>
 
 #include "export_parts.h"
-
-static void put_text(FILE *out, const char *text) {
-  if (strpbrk(text, ",\"\r\n") == NULL) {
-    fputs(text, out);
-    return;
-  }
-  fputc('"', out);
-  for (; *text != '\0'; text++) {
-    if (*text == '"') fputc('"', out);
-    fputc(*text, out);
-  }
-  fputc('"', out);
-}
+#include "host/base/separated.h"
 
 /* Nothing where it is not known. */
 static void put_number(FILE *out, double number) {
@@ -27,12 +14,12 @@ static void put_number(FILE *out, double number) {
 static void put_point(FILE *out, const table *t, int robot, size_t index, const export_point *p) {
   table_name name = table_robot_name(t, robot);
   fprintf(out, "%d,", robot);
-  put_text(out, name.text);
+  separated_put(out, name.text);
   fprintf(out, ",%zu,", index);
   if (p->place != WAY_NO_PLACE) {
     name = table_place_name(t, (unsigned)p->place);
     fprintf(out, "%u,", t->number[p->place]);
-    put_text(out, name.text);
+    separated_put(out, name.text);
   } else {
     fputc(',', out);
   }

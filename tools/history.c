@@ -6,6 +6,7 @@
 
 #include "host/base/count.h"
 #include "host/base/near.h"
+#include "host/base/separated.h"
 #include "host/base/text.h"
 #include "host/input/frame.h"
 #include "quarter/status.h"
@@ -17,7 +18,7 @@ static const char *const names[KINDS + 1] = {"game", "found", "place", "column",
 
 typedef struct {
   text_field name; /* empty where the history names no games */
-  int line;
+  long line;
 } game_name;
 
 typedef struct {
@@ -27,7 +28,7 @@ typedef struct {
   const char *path;
   double detection;
   fault *why;
-  text_lines lines;
+  separated rows;
   int columns;
   int kind[KINDS]; /* of each column */
   bool has[KINDS];
@@ -42,6 +43,11 @@ static int shown(text_field it) {
   return it.length < WORD_SHOWN ? (int)it.length : WORD_SHOWN;
 }
 
+/* Stands in the file's bytes, and so outlives its row. */
+static text_field field_of(const reading *r, int i) {
+  return (text_field){r->rows.field[i].text, strlen(r->rows.field[i].text)};
+}
+
 /* ---- the header ---- */
 
 static int unknown_column(reading *r, text_field it) {
@@ -50,8 +56,8 @@ static int unknown_column(reading *r, text_field it) {
   const char *meant = near_word(word, names);
   near_list(known, sizeof known, names);
   if (meant != NULL)
-    return file_fault(r->why, r->path, r->lines.number, 0, "a history has no column \"%s\"; write \"%s\"", word, meant);
-  return file_fault(r->why, r->path, r->lines.number, 0,
+    return file_fault(r->why, r->path, r->rows.line, 0, "a history has no column \"%s\"; write \"%s\"", word, meant);
+  return file_fault(r->why, r->path, r->rows.line, 0,
                     "a history has no column \"%s\"; write a header such as \"game,place,found\" (columns: %s)", word,
                     known);
 }
@@ -61,7 +67,7 @@ static int take_column(reading *r, text_field it) {
   while (kind < KINDS && !text_field_is(it, names[kind])) kind++;
   if (kind == KINDS) return unknown_column(r, it);
   if (r->has[kind])
-    return file_fault(r->why, r->path, r->lines.number, 0, "two columns are \"%s\"; drop one of them", names[kind]);
+    return file_fault(r->why, r->path, r->rows.line, 0, "two columns are \"%s\"; drop one of them", names[kind]);
   r->has[kind] = true;
   r->kind[r->columns++] = kind;
   return 0;
@@ -74,16 +80,15 @@ static bool names_a_place(const reading *r) {
 }
 
 static int read_header(reading *r) {
-  const char *rest = r->lines.line, *const end = rest + r->lines.length;
-  while (rest != NULL)
-    if (take_column(r, text_next_field(&rest, end)) != 0) return -1;
+  for (int i = 0; i < r->rows.count; i++)
+    if (take_column(r, field_of(r, i)) != 0) return -1;
   if (r->columns == 1 && r->has[FOUND]) {
     r->kind[0] = PLACE;
     r->has[PLACE] = true;
     r->has[FOUND] = false;
   }
   if (names_a_place(r)) return 0;
-  return file_fault(r->why, r->path, r->lines.number, 0,
+  return file_fault(r->why, r->path, r->rows.line, 0,
                     "the header must name the place in one way: \"place\", or \"column,row\", or \"x,y\"; write for "
                     "instance \"game,place,found\"");
 }
@@ -91,45 +96,45 @@ static int read_header(reading *r) {
 /* ---- rows ---- */
 
 static int split_row(reading *r) {
-  const char *rest = r->lines.line, *const end = rest + r->lines.length;
-  int count = 0;
-  while (rest != NULL) {
-    const text_field next = text_next_field(&rest, end);
-    if (count < r->columns) r->value[r->kind[count]] = next;
-    count++;
-  }
+  const int count = r->rows.count;
+  for (int i = 0; i < count && i < r->columns; i++) r->value[r->kind[i]] = field_of(r, i);
   if (count == r->columns) return 0;
-  return file_fault(r->why, r->path, r->lines.number, 0,
+  return file_fault(r->why, r->path, r->rows.line, 0,
                     "the line has %s and the header %d; write as many, with commas between",
                     counted((uint64_t)count, "field").text, r->columns);
 }
 
 static int unknown_place(reading *r, const char *which) {
-  return file_fault(r->why, r->path, r->lines.number, 0,
+  return file_fault(r->why, r->path, r->rows.line, 0,
                     "no place of %s is %s; correct the line, or add the place to the mission (its places are 0 to %d)",
                     file_short_path(r->in->path), which, r->in->places_stated - 1);
 }
 
 static int read_number(reading *r, double *value, int kind) {
+  char number[SEPARATED_NUMBER];
   const text_field it = r->value[kind];
-  const char *wrong = text_number(value, it.text, it.length);
+  const char *text = separated_number(&r->rows, it.text, number);
+  const char *wrong = text_number(value, text, strlen(text));
   if (wrong == NULL) return 0;
-  return file_fault(r->why, r->path, r->lines.number, 0, "the %s \"%.*s\" %s; write a number", names[kind], shown(it),
+  return file_fault(r->why, r->path, r->rows.line, 0, "the %s \"%.*s\" %s; write a number", names[kind], shown(it),
                     it.text, wrong);
 }
 
 static int place_by_number(reading *r, unsigned *place) {
   const text_field it = r->value[PLACE];
   char which[WORD_SHOWN + 16];
+  char wrong[FAULT_LINE];
   long number;
+  const naming n = input_naming(r->in);
+  const int named = naming_find_place(&n, it.text, wrong);
+  *place = (unsigned)named;
+  if (named >= 0) return 0;
   if (!text_integer(&number, it.text, it.length))
-    return file_fault(r->why, r->path, r->lines.number, 0,
-                      "the place \"%.*s\" is not a number; write that of the mission's place, 0 to %d", shown(it),
+    return file_fault(r->why, r->path, r->rows.line, 0,
+                      "the place \"%.*s\" is not a number or a name of the mission's; write one, 0 to %d", shown(it),
                       it.text, r->in->places_stated - 1);
-  for (*place = 0; *place < r->in->mission.places; ++*place)
-    if (r->in->place_number[*place] == number) return 0;
   if (number >= 0 && number < r->in->places_stated)
-    return file_fault(r->why, r->path, r->lines.number, 0,
+    return file_fault(r->why, r->path, r->rows.line, 0,
                       "place %ld was left out of %s by --skip-unreachable; leave the line out too", number,
                       file_short_path(r->in->path));
   snprintf(which, sizeof which, "number %ld", number);
@@ -169,7 +174,7 @@ static int read_found(reading *r, bool *found) {
     *found = i % 2 == 1;
     if (text_field_is(it, words[i])) return 0;
   }
-  return file_fault(r->why, r->path, r->lines.number, 0,
+  return file_fault(r->why, r->path, r->rows.line, 0,
                     "found is \"%.*s\"; write 1 where the target was found, 0 where the place was searched in vain",
                     shown(it), it.text);
 }
@@ -195,7 +200,7 @@ static int begin_game(reading *r, text_field name) {
     if (larger == NULL) return fault_set(r->why, "%s: no memory for its games", file_short_path(r->path));
     r->game = larger;
   }
-  r->game[r->games++] = (game_name){name, r->lines.number};
+  r->game[r->games++] = (game_name){name, r->rows.line};
   r->finds = 0;
   qtr_belief_begin_game(r->belief);
   qtr_search_begin(&r->search, r->belief);
@@ -206,7 +211,7 @@ static int continue_or_begin_game(reading *r) {
   const text_field name = r->value[GAME];
   if (!r->has[GAME]) return begin_game(r, name);
   if (name.length == 0)
-    return file_fault(r->why, r->path, r->lines.number, 0, "the game has no name; write a number or a word");
+    return file_fault(r->why, r->path, r->rows.line, 0, "the game has no name; write a number or a word");
   if (r->games == 0) return begin_game(r, name);
   const text_field current = r->game[r->games - 1].name;
   if (name.length == current.length && memcmp(name.text, current.text, name.length) == 0) return 0;
@@ -238,7 +243,7 @@ static int check_games(reading *r) {
   }
   if (again == NULL) return 0;
   return file_fault(r->why, r->path, again->line, 0,
-                    "game \"%.*s\" has ended already, with rows from line %d on; put its rows together, or name this "
+                    "game \"%.*s\" has ended already, with rows from line %ld on; put its rows together, or name this "
                     "one otherwise",
                     shown(again->name), again->name.text, first->line);
 }
@@ -256,16 +261,15 @@ static int read_row(reading *r) {
   r->tally->finds++;
   r->tally->found[place]++;
   if (qtr_belief_found(r->belief, place) == QTR_OK) return 0;
-  return file_fault(r->why, r->path, r->lines.number, 0, "place %u has more finds than can be counted; begin anew",
-                    place);
+  return file_fault(r->why, r->path, r->rows.line, 0, "place %u has more finds than can be counted; begin anew", place);
 }
 
-static int read_lines(reading *r, const file_bytes *bytes) {
-  text_start(&r->lines, bytes);
-  while (text_next(&r->lines)) {
-    if (text_blank(r->lines.line, r->lines.length) || r->lines.line[0] == '#') continue;
-    if (r->columns == 0 ? read_header(r) : read_row(r)) return -1;
-  }
+static int read_rows(reading *r, file_bytes *bytes) {
+  int more;
+  separated_begin(&r->rows, bytes, r->path, r->why);
+  while ((more = separated_next(&r->rows)) > 0)
+    if ((r->columns == 0 ? read_header(r) : read_row(r)) != 0) return -1;
+  if (more < 0) return -1;
   if (r->columns == 0)
     return file_fault(r->why, r->path, 0, 0, "holds no header; start it with \"game,place,found\" or \"place\"");
   if (r->games == 0)
@@ -286,7 +290,7 @@ int history_read(history_tally *tally, qtr_belief *belief, const input *in, cons
   r.detection = detection;
   r.why = why;
   if (file_read(&bytes, path, FILE_TEXT_LIMIT, NULL, why) != 0) return -1;
-  const int status = read_lines(&r, &bytes);
+  const int status = read_rows(&r, &bytes);
   free(r.game);
   file_free(&bytes);
   return status;

@@ -48,12 +48,12 @@ static void test_slips_in_a_mission(void) {
 
 static void test_slips_in_a_csv(void) {
   static const char *const slips[][4] = {
-      {"x;y;weight\n1;2;3\n", "p.csv:1", "has 1 field", "with commas"},
+      {"x;y,weight\n1;2;3\n", "p.csv:1", "has 'x' and lacks 'y'", "add that column"},
       {"1,2,3\n", "p.csv:1", "is not the header", "write it above the places"},
       {"lat,lon,weight\n48.1,11.5,1\n", "p.csv:1", "latitudes and longitudes are not read", "metres in the map frame"},
       {"x,y,weight\n1,5,0,5,3\n", "p.csv:2", "has 5 fields", "not 3"},
-      {"x,y,weight\n1.5,0.5,0\n", "p.csv:2", "the weight 0", "likelihood"},
-      {"x,y,weight\n1.5,0.5,\n", "p.csv:2", "the weight \"\" is missing", "write a number"}};
+      {"x,y,weight\n1.5,0.5,0\n", "p.csv:2", "'weight' is 0", "a likelihood in any unit above 0"},
+      {"x,y,weight\n1.5,0.5,\n", "p.csv:2", "'weight' has no value", "give a number"}};
   write_file("m.yaml", "map: a.txt\nplaces_csv: p.csv\n");
   for (size_t i = 0; i < sizeof slips / sizeof slips[0]; i++) {
     write_file("p.csv", slips[i][0]);

@@ -67,10 +67,25 @@ static void test_options_take_names(void) {
   refuse("simulate n.qtr --lost alpha@3", "--lost: there is no robot alpha; did you mean 'Alpha'?");
 }
 
+static void test_beliefs_keep_names(void) {
+  char text[400];
+  write_file("games.csv", "place,found\n\"Bay 3\",1\nA&B,0\n1,1\n");
+  run_well("belief names.yaml --history games.csv -o after.csv");
+  read_text("after.csv", text, sizeof text);
+  TEST_ASSERT_EQUAL_STRING_LEN("column,row,weight,name\n3,0,", text, 27);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(text, ",A&B\n"), text);
+  write_file("after.yaml", "map: names.txt\nrobots: [{column: 0, row: 0}]\nplaces_csv: after.csv\n");
+  run_well("learn after.yaml");
+  expect_out("Bay 3");
+  write_file("games.csv", "place\nBay 4\n");
+  refuse("belief names.yaml --history games.csv -o after.csv", "the place \"Bay 4\" is not a number or a name");
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_reports_call_places_and_robots_by_name);
   RUN_TEST(test_pictures_bear_names);
   RUN_TEST(test_options_take_names);
+  RUN_TEST(test_beliefs_keep_names);
   return UNITY_END();
 }

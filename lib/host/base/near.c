@@ -1,5 +1,6 @@
 #include "host/base/near.h"
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -31,27 +32,35 @@ static int distance(const char *a, const char *b) {
 }
 
 /* How far apart the words are, as a slip; a large number if they are too far. */
-static int slip(const char *word, const char *known) {
+static int slip(const char *word, const char *known, bool by_start) {
   size_t length = strlen(known), given = strlen(word), common = length < given ? length : given;
   if (strcasecmp(word, known) == 0) return 0;
   if (length > LONGEST) return LONGEST;
   int allowed = length <= 2 ? 0 : length <= 5 ? 1 : 2;
   int apart = distance(word, known);
   if (apart <= allowed) return apart;
-  return common >= 3 && strncmp(word, known, common) == 0 ? LONGEST - 1 : LONGEST;
+  return by_start && common >= 3 && strncmp(word, known, common) == 0 ? LONGEST - 1 : LONGEST;
 }
 
-const char *near_word(const char *word, const char *const known[]) {
+static const char *nearest(const char *word, const char *const known[], bool by_start) {
   const char *best = NULL;
   int best_slip = LONGEST;
   if (strlen(word) > LONGEST) return NULL;
   for (int i = 0; known[i] != NULL; i++) {
-    int apart = slip(word, known[i]);
+    int apart = slip(word, known[i], by_start);
     if (apart >= best_slip) continue;
     best = known[i];
     best_slip = apart;
   }
   return best;
+}
+
+const char *near_word(const char *word, const char *const known[]) {
+  return nearest(word, known, true);
+}
+
+const char *near_slip(const char *word, const char *const known[]) {
+  return nearest(word, known, false);
 }
 
 /* The words with commas between, and `last` before the last one. */

@@ -8,6 +8,9 @@
  * or one letter (two in a long word) left out, added, changed or swapped with its neighbour. NULL if there is none. */
 const char *near_word(const char *word, const char *const known[]);
 
+/* The same of letters alone: not for having the same start. */
+const char *near_slip(const char *word, const char *const known[]);
+
 /* "a, b and c" into out[size]; "a, b or c". */
 void near_list(char *out, size_t size, const char *const words[]);
 void near_choice(char *out, size_t size, const char *const words[]);

@@ -92,18 +92,6 @@ const char *text_glyph(char out[TEXT_GLYPH_SIZE], char byte) {
   return out;
 }
 
-text_field text_next_field(const char **rest, const char *end) {
-  const char *comma = memchr(*rest, ',', (size_t)(end - *rest));
-  text_field it = {*rest, (size_t)((comma == NULL ? end : comma) - *rest)};
-  *rest = comma == NULL ? NULL : comma + 1;
-  text_trim(&it.text, &it.length);
-  if (it.length >= 2 && it.text[0] == '"' && it.text[it.length - 1] == '"') {
-    it.text++;
-    it.length -= 2;
-  }
-  return it;
-}
-
 bool text_field_is(text_field field, const char *word) {
   return field.length == strlen(word) && memcmp(field.text, word, field.length) == 0;
 }

@@ -24,15 +24,11 @@ bool text_blank(const char *text, size_t length);
 /* Without the spaces and tabs on both sides. */
 void text_trim(const char **text, size_t *length);
 
-/* A field of a line of comma-separated values, without the spaces and quotes around it; not terminated. */
+/* A part of a text; not terminated. */
 typedef struct {
   const char *text;
   size_t length;
 } text_field;
-
-/* The next field of a line that goes up to `end`; *rest is moved behind its comma, or set to NULL after the last
- * one. */
-text_field text_next_field(const char **rest, const char *end);
 
 bool text_field_is(text_field field, const char *word);
 

@@ -125,8 +125,7 @@ const key_record *keys_find(const key_set *set, const char *name) {
   return NULL;
 }
 
-/* All words of all keys, for tree_check_keys(). */
-static void list_names(const char *names[TREE_KEYS_MOST + 1], const key_set *set) {
+void keys_words(const char *names[TREE_KEYS_MOST + 1], const key_set *set) {
   int count = 0;
   for (const key_record *r = set->records; r->name != NULL; r++) {
     if (count < TREE_KEYS_MOST) names[count++] = r->name;
@@ -141,12 +140,16 @@ static tree_node *node_under(tree *yaml, tree_node *mapping, const key_record *r
   return *word != NULL ? tree_find(yaml, mapping, *word) : NULL;
 }
 
+static tree_node *find_under(tree *yaml, tree_node *mapping, const key_record *r, const char **word) {
+  for (int i = 0;; i++) {
+    tree_node *node = node_under(yaml, mapping, r, i, word);
+    if (node != NULL || *word == NULL) return node;
+  }
+}
+
 tree_node *keys_node(tree *yaml, tree_node *mapping, const key_record *r) {
   const char *word;
-  for (int i = 0;; i++) {
-    tree_node *node = node_under(yaml, mapping, r, i, &word);
-    if (node != NULL || word == NULL) return node;
-  }
+  return find_under(yaml, mapping, r, &word);
 }
 
 /* That a key is not there under two words. */
@@ -216,15 +219,16 @@ static int take_node(void *settings, const key_record *r, tree *yaml, tree_node 
 }
 
 static int read_key(void *settings, const key_record *r, tree *yaml, tree_node *mapping, const char *what) {
+  key_record named = *r; /* by the word that the user took */
   if (check_once(yaml, mapping, r, what)) return -1;
-  tree_node *node = keys_node(yaml, mapping, r);
-  if (node != NULL) return take_node(settings, r, yaml, node);
+  tree_node *node = find_under(yaml, mapping, r, &named.name);
+  if (node != NULL) return take_node(settings, &named, yaml, node);
   return r->needed && tree_need(yaml, mapping, what, r->name, r->example) == NULL ? -1 : 0;
 }
 
 int keys_read(void *settings, const key_set *set, tree *yaml, tree_node *mapping, const char *what, int *group) {
   const char *names[TREE_KEYS_MOST + 1];
-  list_names(names, set);
+  keys_words(names, set);
   if (tree_check_keys(yaml, mapping, what, names, false)) return -1;
   if (set->either != NULL && check_either(set, yaml, mapping, what, group)) return -1;
   for (const key_record *r = set->records; r->name != NULL; r++)

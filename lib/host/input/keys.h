@@ -74,6 +74,9 @@ int keys_take(void *settings, const key_record *r, const value_site *site, const
 /* The record of a key, by its name or another word for it; NULL: there is none. */
 const key_record *keys_find(const key_set *set, const char *name);
 
+/* All words for all keys, ended by NULL. */
+void keys_words(const char *words[TREE_KEYS_MOST + 1], const key_set *set);
+
 /* The node of a key, under whatever word; NULL: it is not there. */
 tree_node *keys_node(tree *yaml, tree_node *mapping, const key_record *r);
 

@@ -93,9 +93,7 @@ static int read_site(input_site *site, const key_set *set, tree *yaml, tree_node
   int group;
   mission_site stated = {.it.weight = 1.0};
   if (check_item(yaml, item, what) || keys_read(&stated, set, yaml, item, what, &group)) return -1;
-  *site = stated.it;
-  site->position = group == MISSION_METRES ? (input_position){true, stated.x, stated.y}
-                                           : (input_position){false, stated.column, stated.row};
+  *site = mission_site_of(&stated, group);
   return 0;
 }
 

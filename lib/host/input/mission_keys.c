@@ -44,9 +44,12 @@ static const key_group positions[] = {
 static const key_record robot_records[] = {
     POSITION, NAME("what reports, pictures and options call it; no two robots have one name"), {.name = NULL}};
 
+static const char *const weight_words[] = {"poa", "likelihood", NULL};
+
 static const key_record place_records[] = {
     POSITION,
     {.name = "weight",
+     .also = weight_words,
      .kind = KEY_NUMBER,
      .help = "how likely the target is there, in any unit: shares of the sum count",
      .example = "2",
@@ -60,6 +63,13 @@ static const key_record place_records[] = {
 
 const key_set mission_robot_keys = {"A robot", robot_records, positions, "position"};
 const key_set mission_place_keys = {"A place", place_records, positions, "position"};
+
+input_site mission_site_of(const mission_site *stated, int group) {
+  input_site site = stated->it;
+  site.position = group == MISSION_METRES ? (input_position){true, stated->x, stated->y}
+                                          : (input_position){false, stated->column, stated->row};
+  return site;
+}
 
 /* ---- where the map lies ---- */
 
@@ -156,7 +166,7 @@ static const key_record mission_records[] = {
      .items = &mission_place_keys},
     {.name = "places_csv",
      .kind = KEY_FILE,
-     .help = "more places, from a file with the header x,y,weight or column,row,weight",
+     .help = "more places, from a CSV whose header names keys of a place, in any order",
      .example = "places.csv",
      KEY_FIELD(input, csv)},
     {.name = "objective",

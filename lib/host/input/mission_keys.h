@@ -23,6 +23,9 @@ typedef struct {
   double latitude, longitude, yaw;
 } mission_geo;
 
+/* With the position that `group` says that it states. */
+input_site mission_site_of(const mission_site *stated, int group);
+
 extern const key_set mission_keys;       /* into an `input` */
 extern const key_set mission_robot_keys; /* into a mission_site */
 extern const key_set mission_place_keys; /* likewise */

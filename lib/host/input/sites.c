@@ -14,12 +14,6 @@ static int site_fault(const input *in, input_origin origin, fault *why, const ch
   return file_fault(why, input_source_path(in, origin), origin.line, origin.column, "%s", what);
 }
 
-static int check_whole(const input *in, input_position position, input_origin origin, fault *why) {
-  if (position.metres || (position.x == floor(position.x) && position.y == floor(position.y))) return 0;
-  return file_fault(why, input_source_path(in, origin), origin.line, origin.column,
-                    "column %g, row %g is not a cell; give whole numbers", position.x, position.y);
-}
-
 /* Names tell places apart, and robots. */
 static int check_name(input *in, const char *what, const char *name, char names[][QTR_SITE_NAME_BYTES],
                       const input_origin *origins, int count, input_origin origin, fault *why) {
@@ -34,7 +28,6 @@ static int check_name(input *in, const char *what, const char *name, char names[
 
 int sites_add_start(input *in, const input_site *site, input_origin origin, fault *why) {
   qtr_mission *mission = &in->mission;
-  if (check_whole(in, site->position, origin, why)) return -1;
   if (mission->seekers >= QTR_MAX_SEEKERS) {
     char what[200];
     snprintf(what, sizeof what,
@@ -53,13 +46,7 @@ int sites_add_start(input *in, const input_site *site, input_origin origin, faul
 
 int sites_add_place(input *in, const input_site *site, input_origin origin, fault *why) {
   qtr_mission *mission = &in->mission;
-  const double weight = site->weight;
   char what[200];
-  if (check_whole(in, site->position, origin, why)) return -1;
-  if (!(weight > 0.0) || !isfinite(weight)) {
-    snprintf(what, sizeof what, "the weight %g of a place is not above 0; give its likelihood in any unit", weight);
-    return site_fault(in, origin, why, what);
-  }
   if (mission->places >= QTR_MAX_PLACES) {
     snprintf(what, sizeof what,
              "more than %d places, the most that this build holds; list fewer, or build with a larger QTR_MAX_PLACES",
@@ -68,7 +55,7 @@ int sites_add_place(input *in, const input_site *site, input_origin origin, faul
   }
   if (check_name(in, "place", site->name, in->names.place, in->place_origin, mission->places, origin, why)) return -1;
   mission->place[mission->places] = frame_cell(in, site->position);
-  mission->weight[mission->places] = weight;
+  mission->weight[mission->places] = site->weight;
   in->place_origin[mission->places] = origin;
   in->place_position[mission->places] = site->position;
   memcpy(in->names.place[mission->places], site->name, sizeof site->name);

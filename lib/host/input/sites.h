@@ -5,8 +5,7 @@
 #include "host/input/input.h"
 
 /* A start or place in the map as read so far; on an obstacle or outside it is taken too, for sites_finish to judge. -1
- * with *fault set: more than the build holds, not a whole number of cells, a weight that is not above 0, or a name that
- * another one has. */
+ * with *fault set: more than the build holds, or a name that another one has. */
 int sites_add_start(input *in, const input_site *site, input_origin origin, fault *why);
 int sites_add_place(input *in, const input_site *site, input_origin origin, fault *why);
 

@@ -1,6 +1,8 @@
 #include "host/input/value.h"
 
+#include <math.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -31,7 +33,12 @@ int value_number(double *out, const value_site *site, const char *key, const cha
 }
 
 int value_integer(long *out, const value_site *site, const char *key, const char *text) {
-  return text_integer(out, text, strlen(text)) ? 0 : wrong(site, key, text, "a whole number");
+  double number;
+  if (text_integer(out, text, strlen(text))) return 0;
+  const bool whole = text_number(&number, text, strlen(text)) == NULL && fabs(number) < 1e9 && number == floor(number);
+  if (!whole) return wrong(site, key, text, "a whole number");
+  *out = (long)number; /* 4.0, as programs write it */
+  return 0;
 }
 
 int value_text(const value_site *site, const char *key, const char *text) {
