@@ -41,6 +41,10 @@ double game_door_seconds(const table *t, const fault_script *faults) {
   return 2 * HOPE_PATIENCE / 1e6 * t->policy.board.places + 4 * t->policy.board.seekers * game_plan_seconds(t);
 }
 
+double game_unplanned_seconds(const table *t, const fault_script *faults) {
+  return (4 + 4 * t->policy.board.seekers) * game_plan_seconds(t) + 300 + game_door_seconds(t, faults);
+}
+
 /* ---- setting up ---- */
 
 static robot_pilot pilot_of(game *g, const game_setup *setup, int i) {

@@ -41,6 +41,9 @@ double game_step_seconds(void);
  * twice. */
 double game_door_seconds(const table *t, const fault_script *faults);
 
+/* Seconds that a game may take whose robots may have no plan: each of them goes to all places. */
+double game_unplanned_seconds(const table *t, const fault_script *faults);
+
 /* A plan's latest visit, in seconds. */
 double game_plan_seconds(const table *t);
 

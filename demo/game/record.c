@@ -19,6 +19,8 @@ void record_begin(record *r, const plan *p) {
 
 void record_free(record *r) {
   for (int i = 0; i < r->robots; i++) free(r->track[i]);
+  free(r->said);
+  free(r->ghost);
   r->robots = 0;
 }
 
@@ -30,6 +32,9 @@ static bool make_room(record *r) {
     if (more == NULL) return false;
     r->track[i] = more;
   }
+  uint64_t *said = realloc(r->said, room * sizeof *said);
+  if (said == NULL) return false;
+  r->said = said;
   r->room = room;
   return true;
 }
@@ -49,7 +54,19 @@ void record_watch(void *user, const arena *a) {
     return;
   }
   for (int i = 0; i < r->robots; i++) r->track[i][r->samples] = sample_of(a, i);
+  r->said[r->samples] = a->signals;
   r->samples++;
+}
+
+int record_add_ghost(record *r, const arena_setup *setup, const volatile int *interrupted, fault *why) {
+  if (interrupted != NULL && *interrupted != 0) return 0;
+  r->ghost = malloc(sizeof *r->ghost);
+  if (r->ghost == NULL) return fault_set(why, "no memory for the game without a plan");
+  if (ghost_play(r->ghost, &r->p->t, setup, interrupted, why) != 0) return -1;
+  if (r->ghost->samples > 0 && (interrupted == NULL || *interrupted == 0)) return 0;
+  free(r->ghost);
+  r->ghost = NULL;
+  return 0;
 }
 
 /* ---- as JSON ---- */
@@ -80,9 +97,13 @@ static void write_map(json *j, const plan *p) {
   free(row);
 }
 
+static double thousandths(double seconds) {
+  return round(1000 * seconds) / 1000;
+}
+
 static void write_seconds(json *j, const char *key, double seconds) {
   if (seconds >= 0.0)
-    json_number(j, key, round(1000 * seconds) / 1000);
+    json_number(j, key, thousandths(seconds));
   else
     json_null(j, key);
 }
@@ -170,6 +191,43 @@ static void write_track(json *j, const record *r, int robot) {
     }
     json_end_array(j);
   }
+  json_end_object(j);
+}
+
+/* Where it changes: [seconds, signals so far]. */
+static void write_said(json *j, const record *r) {
+  uint64_t last = 0;
+  json_flat_array(j, "said");
+  for (size_t i = 0; i < r->samples; i++) {
+    if (r->said[i] != last) write_point(j, NULL, (point){thousandths(RECORD_TICK * (double)i), (double)r->said[i]});
+    last = r->said[i];
+  }
+  json_end_array(j);
+}
+
+static void write_ghost_track(json *j, const ghost *g, int robot) {
+  json_object(j, NULL);
+  for (int key = 0; key < 2; key++) {
+    json_flat_array(j, key == 0 ? "x" : "y");
+    for (int i = 0; i < g->samples; i++) json_integer(j, NULL, key == 0 ? g->track[robot][i].x : g->track[robot][i].y);
+    json_end_array(j);
+  }
+  json_end_object(j);
+}
+
+static void write_ghost(json *j, const ghost *g) {
+  json_object(j, "ghost");
+  json_string(j, "strategy", game_strategies[STRATEGY_NEAREST]);
+  json_number(j, "duration", thousandths(g->duration));
+  write_seconds(j, "finished_at", g->finished_at);
+  json_integer(j, "duplicates", g->duplicates);
+  json_flat_array(j, "scans");
+  for (int i = 0; i < g->scans; i++) write_point(j, NULL, (point){thousandths(g->scan[i].at), g->scan[i].place});
+  json_end_array(j);
+  json_number(j, "tick", g->tick);
+  json_array(j, "tracks");
+  for (int robot = 0; robot < g->robots; robot++) write_ghost_track(j, g, robot);
+  json_end_array(j);
   json_end_object(j);
 }
 
@@ -273,7 +331,9 @@ static void write_game(json *j, const record *r, const arena *a, const game_resu
   json_array(j, "events");
   for (int i = 0; i < a->events; i++) write_event(j, r->p, &a->event[i]);
   json_end_array(j);
+  write_said(j, r);
   record_result(j, r->p, result);
+  if (r->ghost != NULL) write_ghost(j, r->ghost);
 }
 
 /* What the robots are called. */

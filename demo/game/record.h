@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "game.h"
+#include "ghost.h"
 #include "host/base/json.h"
 #include "plan.h"
 
@@ -21,8 +21,10 @@ typedef struct {
   int robots;
   size_t samples, room; /* of each robot */
   record_sample *track[DEMO_MOST_ROBOTS];
-  double next; /* seconds */
-  bool full;   /* there was no memory for more */
+  uint64_t *said; /* signals that robots had sent one another by then */
+  double next;    /* seconds */
+  bool full;      /* there was no memory for more */
+  ghost *ghost;   /* the same game without a plan; NULL: none */
 } record;
 
 void record_begin(record *r, const plan *p);
@@ -31,6 +33,10 @@ void record_free(record *r);
 /* Look at the arena: called after every tick, a game's `watch`. */
 void record_watch(void *r, const arena *a);
 
+/* Play the same game without a plan, to be shown beside this one. Of one that is interrupted nothing is kept. 0, or -1
+ * with *why set. */
+int record_add_ghost(record *r, const arena_setup *setup, const volatile int *interrupted, fault *why);
+
 /* What is known of a game before it begins. */
 typedef struct {
   uint64_t seed;
@@ -38,7 +44,7 @@ typedef struct {
   int mine; /* place; below 0: none, or unknown */
 } record_head;
 
-/* The whole game as JSON; and all but what happened, for a page that follows it. */
+/* The whole game as JSON (docs/replay-format.md); and all but what happened, for a page that follows it. */
 void record_json(FILE *out, const record *r, const arena *a, const game_result *result);
 void record_hello(FILE *out, const plan *p, const record_head *head);
 

@@ -143,6 +143,7 @@ static pid_t start_world(const crew *c, const settings *s) {
   add_mark(&w, json, s->json);
   add_mark(&w, "--quiet", s->quiet);
   add_mark(&w, "--clear-all", s->clear_all);
+  add_mark(&w, "--no-ghost", s->no_ghost);
   return start(c, "quarter-world", w.word);
 }
 

@@ -64,7 +64,9 @@ static int finish(void *user, const arena *a, const game_result *result, fault *
     show_live(w, a);
     live_end(w->view, &p, result);
   }
-  return w->s->replay != NULL ? record_page(w->s->replay, &w->r, a, result, why) : 0;
+  if (w->s->replay == NULL) return 0;
+  if (settings_want_ghost(w->s) && record_add_ghost(&w->r, &a->setup, &interrupted, why) != 0) return -1;
+  return record_page(w->s->replay, &w->r, a, result, why);
 }
 
 static int play(const settings *s, const fault_script *faults, fault *why) {
@@ -163,11 +165,9 @@ static int print_figures(const runs_figures *f, const settings *s, fault *why) {
 
 static int play_many(const settings *s, const fault_script *faults, fault *why) {
   runs_figures f;
-  const game_setup setup = {
-      .t = &p.t,
-      .strategy = s->strategy,
-      .arena = {s->seed, s->clear_all, s->mine, faults,
-                (4 + 4 * p.t.policy.board.seekers) * game_plan_seconds(&p.t) + 300 + game_door_seconds(&p.t, faults)}};
+  const game_setup setup = {.t = &p.t,
+                            .strategy = s->strategy,
+                            .arena = {s->seed, s->clear_all, s->mine, faults, game_unplanned_seconds(&p.t, faults)}};
   int status = runs_play(&f, &p, &setup, s->runs, s->lose_one, &interrupted, s->quiet, why);
   if (status == 0 && f.games > 0) status = print_figures(&f, s, why);
   runs_free(&f);

@@ -25,7 +25,7 @@ static const char help[] =
     "\n"
     "Options, as of quarter-demo: -o, --log, --seed, --mine, --clear-all, --faults, --robots, --table, --speed, "
     "--lcm-url, --run-number, --key,\n"
-    "--json, --quiet, --version.\n"
+    "--no-ghost, --json, --quiet, --version.\n"
     "\n"
     "Exit status: 0 the game is over; 2 bad input, no robots, another world on the bus, or an output that cannot be "
     "written;\n"
@@ -137,13 +137,18 @@ static int check_whole(double held, fault *why) {
   return 0;
 }
 
+static int write_replay(const settings *s, record *r, const game_result *result, fault *why) {
+  if (settings_want_ghost(s) && record_add_ghost(r, &a.setup, &interrupted, why) != 0) return -1;
+  return record_page(s->replay, r, &a, result, why);
+}
+
 /* Write what was played, and tell how it came out. The exit status, with *why set if it is not 0. */
 static int finish(const settings *s, bus *b, record *r, double begin, double held, fault *why) {
   game_result result;
   game_tell(&a, b, &result);
   result.wall_seconds = clock_seconds() - begin;
   if (bus_end_log(b, why) != 0) return EXIT_BAD_INPUT;
-  if (s->replay != NULL && record_page(s->replay, r, &a, &result, why) != 0) return EXIT_BAD_INPUT;
+  if (s->replay != NULL && write_replay(s, r, &result, why) != 0) return EXIT_BAD_INPUT;
   if (interrupted == 0 && (check_whole(held, why) != 0 || check_one_mission(why) != 0)) return EXIT_BROKEN_OFF;
   return outcome_print(&p, &result, s, why) == 0 ? 0 : EXIT_BAD_INPUT;
 }

@@ -80,6 +80,9 @@ static option_table records = {
      .help = "a find stops nobody: the mission ends when all territories are done",
      MARK(clear_all)},
     {.name = "lose-one", .help = "a robot, drawn by the seed, is lost at a random time", MARK(lose_one)},
+    {.name = "no-ghost",
+     .help = "leave out of the page the same game without a plan, which it shows beside",
+     MARK(no_ghost)},
     {.name = "processes", .help = "a process for each robot and one for the world, over --lcm-url", MARK(processes)},
     {.name = "live", .help = "serve the viewer on this machine alone, while the game runs", MARK(live)},
     {.name = "follow",
@@ -137,7 +140,8 @@ static const option_line lines[] = {
     OPTION_LINE("save-table"), OPTION_LINE("learn-limit"), OPTION_LINE("speed"),    OPTION_LINE("live [port]"),
     OPTION_LINE("follow"),     OPTION_LINE("processes"),   OPTION_LINE("lcm-url"),  OPTION_LINE("run-number"),
     OPTION_LINE("key"),        OPTION_LINE("runs"),        OPTION_LINE("lose-one"), OPTION_LINE("strategy"),
-    OPTION_LINE("json"),       OPTION_LINE("quiet"),       OPTION_LINE("version"),  {NULL, NULL, 0},
+    OPTION_LINE("no-ghost"),   OPTION_LINE("json"),        OPTION_LINE("quiet"),    OPTION_LINE("version"),
+    {NULL, NULL, 0},
 };
 
 static const char outro[] = "\n"
@@ -162,6 +166,10 @@ static int check(const settings *s, fault *why) {
   if (s->processes && s->strategy != STRATEGY_PLAN)
     return fault_set(why, "--strategy: robots in processes of their own have the plan alone");
   return 0;
+}
+
+bool settings_want_ghost(const settings *s) {
+  return !s->no_ghost && s->strategy == STRATEGY_PLAN;
 }
 
 int settings_parse(settings *s, int argc, char **argv, fault *why) {

@@ -21,7 +21,7 @@ typedef struct {
   const char *lcm_url;   /* NULL: as LCM_DEFAULT_URL says */
   const char *json_path; /* NULL: standard output */
   bool json, quiet, help, version;
-  bool clear_all, lose_one, processes, live, follow;
+  bool clear_all, lose_one, processes, live, follow, no_ghost;
   int port;     /* of the live view; 0: any free one */
   int robots;   /* 0: as the mission says */
   int mine;     /* place; or SETTINGS_ANY_MINE, drawn; or SETTINGS_NO_MINE */
@@ -35,6 +35,9 @@ typedef struct {
 
 /* Of quarter-demo, which takes all there are. */
 extern const option_set settings_options;
+
+/* Whether a replay is to show the same game without a plan beside it: not where the game itself has none. */
+bool settings_want_ghost(const settings *s);
 
 /* Parse the words. `help` and `version` are printed by the caller if asked for. 0, or -1 with *why set. */
 int settings_parse(settings *s, int argc, char **argv, fault *why);

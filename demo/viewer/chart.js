@@ -41,12 +41,12 @@ function drawAxes(svg) {
 function drawChart(model) {
   const svg = $("chart"), { plan, places } = model.data;
   chart.width = svg.clientWidth || 300;
-  chart.time = Math.max(model.duration * (isOpen() ? 1.2 : 1), plan.at(-1)?.[0] ?? 0, 1); // room for a live run to grow
+  chart.time = Math.max(endOf(model) * (isOpen() ? 1.2 : 1), plan.at(-1)?.[0] ?? 0, 1); // room for a live run to grow
   chart.most = Math.max(1, plan.at(-1)?.[1] ?? 0, places.reduce((sum, place) => sum + place.likelihood, 0));
   svg.replaceChildren();
   drawAxes(svg);
   svg.append(makeSvg("path", { class: "plan", d: stairs(plan, chart.time) }));
-  for (const name of ["achieved", "now", "find"]) svg.append(makeSvg("path", { class: name, id: `chart-${name}` }));
+  for (const name of ["ghost", "achieved", "now", "find"]) svg.append(makeSvg("path", { class: name, id: `chart-${name}` }));
   svg.append(chartText("", 0, chart.top - 7, { class: "find-text", id: "chart-found" }));
 }
 
@@ -61,7 +61,15 @@ function showFind(model, now) {
   $("chart-found").setAttribute("text-anchor", isLeft ? "end" : "start");
 }
 
+function showGhostCurve(model, now) {
+  const ghost = shownGhost(model), passed = ghost?.curve.slice(0, countUntil(ghost.curve, now, (step) => step[0])) ?? [];
+  $("key-ghost").hidden = ghost === null;
+  $("chart-ghost").setAttribute("d", ghost === null ? "" : stairs(passed, Math.min(now, ghost.duration)));
+  sayNumber("ghost-now", passed.at(-1)?.[1] ?? 0, 3);
+}
+
 function showChart(model, state, now) {
+  showGhostCurve(model, now);
   $("chart-achieved").setAttribute("d", stairs(state.curve, now));
   $("chart-now").setAttribute("d", `M${chartX(now)} ${chartY(0)}V${chart.top}`);
   showFind(model, now);

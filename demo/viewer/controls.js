@@ -7,7 +7,7 @@ const KEYS = {
   ArrowLeft: (shift) => seek(player.now - (shift ? 10 : 1)),
   ArrowRight: (shift) => seek(player.now + (shift ? 10 : 1)),
   Home: () => seek(0),
-  End: () => seek(player.model.duration),
+  End: () => seek(endOf(player.model)),
   "+": () => changeSpeed(1),
   "=": () => changeSpeed(1),
   "-": () => changeSpeed(-1),
@@ -58,6 +58,7 @@ function wireControls() {
   $("follow").addEventListener("click", () => (seek(player.model.duration), player.following = true, setPlaying(true)));
   $("scrub").addEventListener("input", () => seek(Number($("scrub").value)));
   $("hidden-mines").addEventListener("change", request);
+  wireGhost();
   for (const name of ["pointerdown", "pointermove"]) $("chart").addEventListener(name, seekOnChart);
   document.addEventListener("keydown", onKey);
 }
@@ -71,7 +72,7 @@ function play(data) {
   const problem = problemOf(data, false);
   if (problem !== null) return refuse(problem);
   openModel(modelOf(data));
-  setSpeed(openingSpeed(data.duration));
+  setSpeed(openingSpeed(endOf(player.model)));
   setPlaying(!stillMedia.matches);
 }
 

@@ -22,7 +22,7 @@ function sizeMap(model) {
   const panel = getComputedStyle(canvas.parentElement);
   const width = Math.max(0, canvas.parentElement.clientWidth - parseFloat(panel.paddingLeft) - parseFloat(panel.paddingRight));
   // As wide as the panel, but the controls below should stay on the screen.
-  const cell = Math.min(width / columns, Math.max(260, innerHeight - 320) / rows);
+  const cell = Math.min(width / columns, Math.max(260, innerHeight - 390) / rows);
   view.cell = cell >= 8 ? Math.floor(cell) : cell;
   view.ratio = devicePixelRatio || 1;
   canvas.style.width = `${view.cell * columns}px`;

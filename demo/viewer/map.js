@@ -270,6 +270,7 @@ function drawMap(model, state, now) {
   context.setTransform(1, 0, 0, 1, 0, 0);
   context.drawImage(view.ground, 0, 0);
   fit(context, canvas, view.cell);
+  drawGhost(context, model, now);
   for (let robot = 0; robot < model.data.robots; robot++) {
     drawPath(context, model, robot, now);
     drawTrail(context, model, robot, now);

@@ -92,6 +92,6 @@ function inkOn(robot) {
 let style = {}; // the page's colours, for the canvas
 function readStyle() {
   const computed = getComputedStyle(document.documentElement);
-  for (const name of ["panel", "ink", "soft", "line", "wall", "ground", "slow", "grid", "mine", "fault", "tint", "left"])
+  for (const name of ["panel", "ink", "soft", "line", "wall", "ground", "slow", "grid", "mine", "fault", "tint", "left", "ghost"])
     style[name] = computed.getPropertyValue(`--${name}`).trim();
 }

@@ -17,7 +17,8 @@ function showOutcome(model, now) {
   sayNumber("all-stopped-at", past(result.all_stopped_at));
   sayNumber("scanned-total", totals.scanned);
   for (const name of ["duplicates", "collisions", "deadlocks"]) sayNumber(name, totals[name]);
-  for (const name of ["pose", "scan", "command", "terminate", "lost", "ignored"])
+  sayNumber("messages-terminate", saidAt(model, now));
+  for (const name of ["pose", "scan", "command", "lost", "ignored"])
     sayNumber(`messages-${name}`, totals.messages?.[name]);
   for (const name of ["lost", "ignored"]) $(`other-${name}`).hidden = !finite(result.messages?.[name]);
   showLate(found, planned);

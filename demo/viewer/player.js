@@ -23,11 +23,11 @@ function onFrame(stamp) {
 
 /* A live run is followed a little behind, quicker the further behind, so that frames that come in bursts look smooth. */
 function advance(seconds) {
-  const { model } = player, lag = model.duration - player.now;
+  const { model } = player, end = endOf(model), lag = end - player.now;
   const rate = player.following ? Math.max(1, 8 * lag) : player.speed;
   const isStill = player.following && stillMedia.matches;
-  player.now = isStill ? model.duration : Math.min(model.duration, player.now + seconds * rate);
-  if (player.now < model.duration) return;
+  player.now = isStill ? end : Math.min(end, player.now + seconds * rate);
+  if (player.now < end) return;
   if (isOpen()) player.following = true;
   else setPlaying(false);
 }
@@ -42,12 +42,12 @@ function setPlaying(playing) {
 }
 
 function toggle() {
-  if (!player.playing && player.now >= player.model.duration && !isOpen()) player.now = 0;
+  if (!player.playing && player.now >= endOf(player.model) && !isOpen()) player.now = 0;
   setPlaying(!player.playing);
 }
 
 function seek(t) {
-  player.now = clamp(t, 0, player.model.duration);
+  player.now = clamp(t, 0, endOf(player.model));
   player.following = false;
   request();
 }
@@ -69,14 +69,14 @@ function speakOf(events) {
 }
 
 function showTime() {
-  const { model, now } = player, scrub = $("scrub");
+  const { model, now } = player, end = endOf(model), scrub = $("scrub");
   say("time", now.toFixed(1));
   $("time").dataset.value = String(now);
-  scrub.max = String(Math.max(model.duration, EPSILON));
+  scrub.max = String(Math.max(end, EPSILON));
   $("marks").style.setProperty("--duration", scrub.max);
   scrub.value = String(now);
-  scrub.style.setProperty("--passed", `${(100 * now) / Math.max(model.duration, EPSILON)}%`);
-  scrub.setAttribute("aria-valuetext", `${now.toFixed(1)} of ${rounded(model.duration, 2)} seconds`);
+  scrub.style.setProperty("--passed", `${(100 * now) / Math.max(end, EPSILON)}%`);
+  scrub.setAttribute("aria-valuetext", `${now.toFixed(1)} of ${rounded(end, 2)} seconds`);
   $("follow").hidden = !isOpen() || player.following;
 }
 
@@ -91,6 +91,7 @@ function show() {
     if (player.playing && passed > before) speakOf(model.events.slice(before, passed));
   }
   showTime();
+  showRace(model, player.state, player.now);
   showStory(model, player.state, player.now);
   showOutcome(model, player.now);
   showChart(model, player.state, player.now);
@@ -135,7 +136,8 @@ function openModel(model) {
   $("problem").hidden = true;
   // Where there is room for it beside the events.
   $("places").open = innerWidth > 900 && data.places.length <= 12;
-  sayNumber("duration", model.duration, 1);
+  $("legend-ghost").hidden = model.ghost === null;
+  sayNumber("duration", endOf(model), 1);
   redraw();
 }
 

@@ -15,15 +15,15 @@ const isPlace = (place) => Boolean(place) && finite(place.x) && finite(place.y) 
 const robotName = (data, robot) => String(data.robot_names?.[robot] ?? robot);
 const placeName = (place, index) => String(place.name ?? place.number ?? index);
 
-function isTrack(track, samples) {
-  return Boolean(track) && ["x", "y", "heading"].every((name) =>
+function isTrack(track, samples, names) {
+  return Boolean(track) && names.every((name) =>
     Array.isArray(track[name]) && track[name].length === samples && track[name].every(finite));
 }
 
-function isTracks(data) {
-  const samples = data.tracks?.[0]?.x?.length;
-  return Array.isArray(data.tracks) && data.tracks.length === data.robots && samples > 0 &&
-    data.tracks.every((track) => isTrack(track, samples));
+function isTracks(tracks, robots, names) {
+  const samples = tracks?.[0]?.x?.length;
+  return Array.isArray(tracks) && tracks.length === robots && samples > 0 &&
+    tracks.every((track) => isTrack(track, samples, names));
 }
 
 /* An index that may be left out; -1 and null say the same. */
@@ -42,7 +42,9 @@ function damagedPart(data, live) {
   const recorded = [
     ["tick", () => data.tick > 0],
     ["duration", () => data.duration > 0],
-    ["tracks", () => isTracks(data)],
+    ["tracks", () => isTracks(data.tracks, data.robots, ["x", "y", "heading"])],
+    ["ghost", () => isGhost(data.ghost, data)],
+    ["said", () => data.said == null || isPoints(data.said)],
   ];
   const parts = [
     ["map", () => isMap(data.map)],
@@ -68,12 +70,13 @@ function problemOf(data, live) {
 /* ---- the model: the JSON, with tracks in cells and radians that a live run can add to ---- */
 
 const byTime = (a, b) => a.t - b.t;
+const hundredths = (list) => Array.from(list, (value) => value / 100);
 
 function modelOf(data) {
   const samples = data.tracks ? data.tracks[0].x.length : 0;
-  const hundredths = (list) => Array.from(list, (value) => value / 100);
   return {
     data,
+    ghost: ghostOf(data),
     times: Array.from({ length: samples }, (_, k) => k * data.tick),
     tracks: Array.from({ length: data.robots }, (_, r) => ({
       x: hundredths(data.tracks?.[r].x ?? []),
@@ -86,15 +89,26 @@ function modelOf(data) {
   };
 }
 
-/* Where robot r is at t: {x, y, heading}, between the samples by straight lines. */
+/* The samples before and after t, and how much of the way between them is done by then. */
+function samplesAt(times, t) {
+  const a = Math.max(0, countUntil(times, t) - 1), b = Math.min(a + 1, times.length - 1);
+  return { a, b, part: b > a ? clamp((t - times[a]) / (times[b] - times[a]), 0, 1) : 0 };
+}
+
+/* Where a track is at t, between the samples by straight lines. */
+function spotAt(times, track, t) {
+  const { a, b, part } = samplesAt(times, t);
+  const between = (list) => list[a] + (list[b] - list[a]) * part;
+  return { x: between(track.x), y: between(track.y) };
+}
+
+/* Where robot r is at t: {x, y, heading}. */
 function poseAt(model, r, t) {
   const { times } = model, track = model.tracks[r];
   if (times.length === 0) return { x: model.data.starts[r][0], y: model.data.starts[r][1], heading: 0 };
-  const a = Math.max(0, countUntil(times, t) - 1), b = Math.min(a + 1, times.length - 1);
-  const part = b > a ? clamp((t - times[a]) / (times[b] - times[a]), 0, 1) : 0;
-  const between = (list) => list[a] + (list[b] - list[a]) * part;
+  const { a, b, part } = samplesAt(times, t);
   const turn = Math.atan2(Math.sin(track.heading[b] - track.heading[a]), Math.cos(track.heading[b] - track.heading[a]));
-  return { x: between(track.x), y: between(track.y), heading: track.heading[a] + turn * part };
+  return { ...spotAt(times, track, t), heading: track.heading[a] + turn * part };
 }
 
 const validIndex = (value) => Number.isInteger(value) && value >= 0;
@@ -141,6 +155,14 @@ function stateAfter(model, passed) {
   }
   state.division = divisionOf(state);
   return state;
+}
+
+/* How many signals robots had sent one another by t; of an older record, and live, it is known at the end alone. */
+function saidAt(model, t) {
+  const { said } = model.data, isOver = t >= model.duration - EPSILON;
+  if (isOver || !said) return isOver ? model.result?.messages?.terminate : null;
+  const steps = countUntil(said, t, (step) => step[0]);
+  return steps > 0 ? said[steps - 1][1] : 0;
 }
 
 /* As the host says once the run has ended; until then the first find seen. */

@@ -51,7 +51,7 @@ function showStory(model, state, now) {
   $("story").dataset.kind = kind;
   $("story").classList.toggle("alarm", isLoud);
   $("story").style.setProperty("--robot", validIndex(chapter.robot) ? colour(chapter.robot) : "var(--line)");
-  say("story-text", chapter.text);
+  say("story-text", verdictAt(model, state, now) ?? chapter.text);
   $("map").classList.toggle("alarm", alarm);
 }
 

@@ -105,8 +105,11 @@ static void test_the_checker_tells_json_from_what_is_none(void) {
 
 /* ---- recording a game ---- */
 
+static bool with_ghost;
+
 static int keep_json(void *user, const arena *a, const game_result *result, fault *why) {
   size_t size;
+  if (with_ghost) TEST_ASSERT_EQUAL_INT(0, record_add_ghost(user, &a->setup, NULL, why));
   FILE *memory = open_memstream(&json_of_game, &size);
   TEST_ASSERT_NOT_NULL(memory);
   record_json(memory, user, a, result);
@@ -155,6 +158,37 @@ static void test_the_record_is_json_whatever_happened(void) {
     TEST_ASSERT_TRUE_MESSAGE(is_json(json_of_game), json_of_game);
     tearDown();
   }
+}
+
+static void test_the_record_holds_the_game_without_a_plan_where_it_is_wanted(void) {
+  play_prepare_drawn("1...S...2/.#~..###./3.......4", 3);
+  record_game(play_setup(5), NULL);
+  TEST_ASSERT_NULL(strstr(json_of_game, "\"ghost\""));
+  free(json_of_game);
+  with_ghost = true;
+  record_game(play_setup(5), NULL);
+  with_ghost = false;
+  TEST_ASSERT_TRUE_MESSAGE(is_json(json_of_game), json_of_game);
+  const char *ghost_json = strstr(json_of_game, "\"ghost\"");
+  TEST_ASSERT_NOT_NULL(ghost_json);
+  TEST_ASSERT_TRUE(json_is(ghost_json, "strategy", "\"nearest\""));
+  game_setup setup = play_setup(5);
+  setup.strategy = STRATEGY_NEAREST;
+  play(setup);
+  TEST_ASSERT_DOUBLE_WITHIN(0.001, play_result.found_at, json_value(ghost_json, "finished_at"));
+}
+
+/* The last count that changed is the whole game's, and none is said before a robot has something to say. */
+static void test_the_record_counts_what_robots_say_to_one_another(void) {
+  play_prepare_drawn("S....1/......", 0);
+  record_game(play_setup(5), NULL);
+  const char *said = json_text(json_of_game, "said");
+  double at, count = 0.0, first = -1.0;
+  for (int read; sscanf(said += strcspn(said, "[0123456789") + (*said == '['), "[%lf, %lf]%n", &at, &count, &read) == 2;
+       said += read)
+    if (first < 0.0) first = at;
+  TEST_ASSERT_TRUE(first >= play_result.found_at - 0.1);
+  TEST_ASSERT_DOUBLE_WITHIN(2.0, (double)play_result.counts.sent[KIND_TERMINATE], count);
 }
 
 /* Who says so need not be whose territory it is: robots repeat what they know. */
@@ -306,6 +340,8 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_the_checker_tells_json_from_what_is_none);
   RUN_TEST(test_the_record_is_json_whatever_happened);
+  RUN_TEST(test_the_record_holds_the_game_without_a_plan_where_it_is_wanted);
+  RUN_TEST(test_the_record_counts_what_robots_say_to_one_another);
   RUN_TEST(test_the_record_tells_who_says_that_a_territory_is_done);
   RUN_TEST(test_the_record_tells_what_was_shut_and_who_had_no_power);
   RUN_TEST(test_the_record_says_what_happened);

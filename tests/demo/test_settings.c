@@ -45,7 +45,8 @@ static void test_a_mission_alone_has_the_documented_defaults(void) {
   TEST_ASSERT_EQUAL_UINT64(1, s.seed);
   TEST_ASSERT_EQUAL_DOUBLE(10.0, s.learn_limit);
   TEST_ASSERT_EQUAL_DOUBLE(0.0, s.speed);
-  TEST_ASSERT_FALSE(s.json || s.quiet || s.help || s.clear_all || s.lose_one || s.processes || s.live);
+  TEST_ASSERT_FALSE(s.json || s.quiet || s.help || s.clear_all || s.lose_one || s.processes || s.live || s.no_ghost);
+  TEST_ASSERT_TRUE(settings_want_ghost(&s));
 }
 
 static void test_every_option_is_taken(void) {
@@ -198,6 +199,15 @@ static void test_the_default_that_help_tells_is_the_default(void) {
   TEST_ASSERT_EQUAL_INT(3, told);
 }
 
+static void test_a_ghost_is_wanted_beside_the_plan_unless_it_is_refused(void) {
+  TEST_ASSERT_EQUAL_INT(0, parse("m.yaml"));
+  TEST_ASSERT_TRUE(settings_want_ghost(&s));
+  TEST_ASSERT_EQUAL_INT(0, parse("--no-ghost m.yaml"));
+  TEST_ASSERT_FALSE(settings_want_ghost(&s));
+  TEST_ASSERT_EQUAL_INT(0, parse("--strategy nearest m.yaml"));
+  TEST_ASSERT_FALSE(settings_want_ghost(&s));
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_what_the_documentation_shows_is_taken);
@@ -212,5 +222,6 @@ int main(void) {
   RUN_TEST(test_unknown_words_are_refused_by_name);
   RUN_TEST(test_one_mission_is_wanted);
   RUN_TEST(test_what_does_not_go_together_is_refused);
+  RUN_TEST(test_a_ghost_is_wanted_beside_the_plan_unless_it_is_refused);
   return UNITY_END();
 }

@@ -12,6 +12,7 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the checkout
 
 import webdriver  # noqa: E402
 from pages import LINE, SAMPLE, asked  # noqa: E402
+from viewer_ghost import Ghost  # noqa: E402, F401
 from viewer_live import Live  # noqa: E402, F401
 from viewer_playing import Playing, Refusing  # noqa: E402, F401
 from viewer_showing import Showing  # noqa: E402, F401

@@ -133,6 +133,8 @@ class Refusing(Pages):
             "duration": None,
             "tracks": tracks,
             "events": [{"t": 1, "kind": "scanned", "place": 99}],
+            "ghost": {"tick": 1, "duration": 9, "scans": [[1, 99]], "tracks": []},
+            "said": [[1]],
         }
         for part, damage in damages.items():
             text = json.dumps({**SAMPLE, part: damage})
