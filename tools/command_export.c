@@ -28,7 +28,7 @@ static const char intro[] =
     "\n";
 
 static const option_line lines[] = {
-    {"output", "the file; a % in its name is the robot's number, and makes a file for each", 0},
+    {"output", "the file; a % in its name stands for a robot's name or number, and makes a file for each", 0},
     {"format",
      "csv, geojson, gpx, qgc-plan, qgc-wpl, nav2 or moos; else as FILE ends: .csv, .geojson, .gpx, .plan,\n"
      ".waypoints, .yaml",
@@ -57,6 +57,7 @@ static const option_set set = {"export", intro, outro, option_records, lines};
 typedef struct {
   const options *o;
   const export_format *format;
+  int robot; /* -1: all */
   table t;
   export_plan plan;
   int files;
@@ -101,32 +102,55 @@ static int check_unit(const work *w, fault *why) {
 
 /* ---- the files ---- */
 
-/* Where a robot's number goes: the folders' names are left alone. NULL: all go into one file. */
+/* Where a robot's name goes: the folders' names are left alone. NULL: all go into one file. */
 static const char *find_mark(const char *path) {
   const char *slash = strrchr(path, '/');
   return strchr(slash != NULL ? slash : path, '%');
 }
 
+static int find_robot(work *w, fault *why) {
+  char wrong[FAULT_LINE];
+  const naming n = table_naming(&w->t);
+  w->robot = -1;
+  if (w->o->robot == NULL) return 0;
+  w->robot = naming_find_seeker(&n, w->o->robot, wrong);
+  return w->robot >= 0 ? 0 : fault_set(why, "--robot: %s", wrong);
+}
+
 static int check_files(const work *w, fault *why) {
   const options *o = w->o;
   const int seekers = w->t.policy.board.seekers;
-  if (o->robot >= seekers) return fault_set(why, "--robot %d: %s has robots 0 to %d", o->robot, o->input, seekers - 1);
-  if (!w->format->one_robot || o->robot >= 0 || seekers == 1 || find_mark(o->output) != NULL) return 0;
-  return fault_set(
-      why,
-      "-o %s: a %s file holds one robot's way, and there are %d: put a %% where the robot's number goes, as "
-      "way-%%%s, or name one, as --robot 0",
-      o->output, w->format->name, seekers, w->format->ending != NULL ? w->format->ending : ".txt");
+  if (!w->format->one_robot || w->robot >= 0 || seekers == 1 || find_mark(o->output) != NULL) return 0;
+  return fault_set(why,
+                   "-o %s: a %s file holds one robot's way, and there are %d: put a %% where the robot's name goes, as "
+                   "way-%%%s, or name one, as --robot 0",
+                   o->output, w->format->name, seekers, w->format->ending != NULL ? w->format->ending : ".txt");
 }
 
-static int name_file(work *w, int robot, fault *why) {
+/* A robot's name, or its number, in a file's: it leads to no other folder. */
+static naming_label part_of_name(const work *w, int robot) {
+  const naming n = table_naming(&w->t);
+  naming_label label = naming_seeker(&n, (unsigned)robot);
+  for (char *c = label.text; *c != '\0'; c++)
+    if (*c == '/') *c = '_';
+  return label;
+}
+
+static int begin_file(work *w, int robot, fault *why) {
   const char *pattern = w->o->output, *mark = find_mark(pattern);
+  const naming_label label = part_of_name(w, robot);
   char *path = w->path[w->files];
   const size_t size = sizeof w->path[0];
+  const int before = (int)(mark != NULL ? mark - pattern : 0);
   const int length = mark == NULL ? snprintf(path, size, "%s", pattern)
-                                  : snprintf(path, size, "%.*s%d%s", (int)(mark - pattern), pattern, robot, mark + 1);
+                                  : snprintf(path, size, "%.*s%s%s", before, pattern, label.text, mark + 1);
   if (length < 0 || (size_t)length >= size) return fault_set(why, "-o: the name is too long; shorten it");
-  return outfile_open(&w->out[w->files++], path, why);
+  for (int i = 0; i < w->files; i++)
+    if (strcmp(w->path[i], path) == 0)
+      return fault_set(why, "-o %s: two robots' ways would go there; export them one by one, with --robot", path);
+  if (outfile_open(&w->out[w->files], path, why) != 0) return -1;
+  w->files++;
+  return 0;
 }
 
 /* All are begun and written before the first one takes its place. */
@@ -135,11 +159,8 @@ static int write_files(work *w, fault *why) {
   const int files = apart ? w->plan.ways : 1;
   int status = 0, finished = 0;
   for (int i = 0; i < files && status == 0; i++) {
-    status = name_file(w, w->plan.way[i].robot, why);
-    if (status != 0) {
-      w->files--;
-      break;
-    }
+    status = begin_file(w, w->plan.way[i].robot, why);
+    if (status != 0) break;
     export_plan part = w->plan;
     if (apart) {
       part.ways = 1;
@@ -196,9 +217,10 @@ static void write_text(FILE *out, const void *what) {
 /* The table is open. */
 static int export(work *w, fault *why) {
   const options *o = w->o;
-  if (products_check(o, why) != 0 || check_unit(w, why) != 0 || check_files(w, why) != 0) return -1;
+  if (products_check(o, why) != 0 || check_unit(w, why) != 0) return -1;
+  if (find_robot(w, why) != 0 || check_files(w, why) != 0) return -1;
   w->plan = (export_plan){.source = o->input, .altitude = o->altitude, .hold = o->hold};
-  if (export_plan_make(&w->plan, &w->t, o->robot, o->places, why) != 0) return -1;
+  if (export_plan_make(&w->plan, &w->t, w->robot, o->places, why) != 0) return -1;
   int status = w->format->unit == EXPORT_DEGREES ? export_plan_locate(&w->plan, why) : 0;
   if (status == 0) status = write_files(w, why);
   if (status == 0) status = print_report(o, write_json, write_text, w, why);

@@ -8,6 +8,7 @@ int command_simulate(int argc, char **argv);
 int command_inspect(int argc, char **argv);
 int command_tune(int argc, char **argv);
 int command_belief(int argc, char **argv);
+int command_compare(int argc, char **argv);
 int command_draw(int argc, char **argv);
 int command_keys(int argc, char **argv);
 int command_export(int argc, char **argv);

@@ -18,6 +18,7 @@ static const char help[] =
     "quarter draw mission.qtr -o mission.svg       a picture of the map, the territories and the routes\n"
     "quarter export mission.qtr -o ways.csv        the ways for others: GPX, QGroundControl, Nav2 ...\n"
     "quarter inspect mission.qtr                   what a policy table holds\n"
+    "quarter compare before.qtr after.qtr          two plans side by side\n"
     "quarter tune mission.yaml                     which aggregation loses least on the ground\n"
     "quarter belief mission.yaml --history g.csv   likelihoods from where targets were found\n"
     "quarter exact mission.yaml                    the exact optimum of a small mission, for checking\n"
@@ -33,9 +34,10 @@ static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
 } commands[] = {
-    {"learn", command_learn},     {"exact", command_exact},   {"simulate", command_simulate},
-    {"inspect", command_inspect}, {"draw", command_draw},     {"export", command_export},
-    {"tune", command_tune},       {"belief", command_belief}, {"keys", command_keys},
+    {"learn", command_learn},     {"exact", command_exact},     {"simulate", command_simulate},
+    {"inspect", command_inspect}, {"compare", command_compare}, {"draw", command_draw},
+    {"export", command_export},   {"tune", command_tune},       {"belief", command_belief},
+    {"keys", command_keys},
 };
 
 static void refuse_command(const char *word) {

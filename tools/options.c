@@ -278,10 +278,7 @@ option_table option_records = {
     {.name = "regions", .help = "draw the borders of the map's regions", MARK(regions)},
     {.name = "spots", .help = "mark the places of each hiding spot alike, for inputs", MARK(spots)},
     {.name = "format", .argument = "FORMAT", .help = "of the output; else as its name ends", TEXT(format)},
-    {.name = "robot",
-     .argument = "N",
-     .help = "of this robot alone, counted from 0",
-     COUNT(robot, 0, QTR_MAX_SEEKERS - 1)},
+    {.name = "robot", .argument = "ROBOT", .help = "of this robot alone: its name or number", TEXT(robot)},
     {.name = "places", .help = "the places alone, without the corners between them", MARK(places)},
     {.name = "altitude",
      .argument = "METRES",
@@ -323,7 +320,6 @@ void options_default(options *o) {
   plan_config_default(&o->plan);
   simulation_config_default(&o->game);
   o->detection = 1.0;
-  o->robot = -1;
 }
 
 int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {
@@ -334,6 +330,17 @@ int options_parse(options *o, const option_set *set, int argc, char **argv, faul
   if (optind + 1 < argc)
     return fault_set(why, "%s: one input at a time, and '%s' is a second one", set->name, argv[optind + 1]);
   o->input = argv[optind];
+  return 0;
+}
+
+int options_parse_two(options *o, const option_set *set, int argc, char **argv, fault *why) {
+  options_default(o);
+  if (option_parse(o, set, argc, argv, why) != 0) return -1;
+  if (o->help) return 0;
+  if (argc - optind != 2)
+    return fault_set(why, "%s: name two tables; 'quarter %s --help' shows how", set->name, set->name);
+  o->input = argv[optind];
+  o->second = argv[optind + 1];
   return 0;
 }
 

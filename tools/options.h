@@ -14,6 +14,7 @@
 
 typedef struct {
   const char *input;
+  const char *second;    /* of a command that takes two */
   const char *output;    /* -o; NULL: none */
   const char *c_output;  /* --c; NULL: none */
   const char *profile;   /* "mcu", or a robot's config header; NULL: none */
@@ -35,7 +36,7 @@ typedef struct {
   bool regions, spots, dark;
   /* writing for others */
   const char *format; /* NULL: as the output's name ends */
-  int robot;          /* -1: all */
+  const char *robot;  /* name or number; NULL: all */
   bool places;        /* no waypoints but these */
   double altitude;    /* metres above home; 0: on the ground */
   double hold;        /* seconds at a place */
@@ -71,6 +72,9 @@ void options_default(options *o);
 
 /* Parse the words after the command. 0, or -1 with *why set. */
 int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why);
+
+/* The same of a command that takes two inputs. */
+int options_parse_two(options *o, const option_set *set, int argc, char **argv, fault *why);
 
 /* The same for a command that reads no input. */
 int options_parse_alone(options *o, const option_set *set, int argc, char **argv, fault *why);

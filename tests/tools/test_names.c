@@ -47,6 +47,25 @@ static void test_reports_call_places_and_robots_by_name(void) {
   expect_out("seeker 1: Bay 3 (step 1)");
 }
 
+static void test_exported_ways_bear_names(void) {
+  run_well("learn names.yaml -q -o n.qtr");
+  run_well("export n.qtr --format csv -o -");
+  expect_out("\n0,Alpha,1,0,A&B,3,0,");
+  expect_out("\n1,robot 1,1,2,Bay 3,1,1,");
+  run_well("export n.qtr --robot Alpha -o 'ways-%.csv' --json");
+  expect_out("\"file\": \"ways-Alpha.csv\"");
+  run_well("export n.qtr -o 'ways-%.csv' --json");
+  expect_out("\"file\": \"ways-1.csv\"");
+  refuse("export n.qtr --robot Alpa -o ways.csv", "did you mean 'Alpha'?");
+}
+
+static void test_robots_whose_names_make_one_file_are_refused(void) {
+  write_file("alike.yaml", "map: names.txt\nrobots: [{column: 0, row: 0, name: a/b}, {column: 0, row: 1, name: a_b}]\n"
+                           "places: [{column: 3, row: 0}]\n");
+  run_well("learn alike.yaml -q -o a.qtr");
+  refuse("export a.qtr -o 'two-%.csv'", "two robots");
+}
+
 static void test_pictures_bear_names(void) {
   run_well("learn names.yaml -q -o n.qtr");
   run_well("draw n.qtr -o -");
@@ -84,6 +103,8 @@ static void test_beliefs_keep_names(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_reports_call_places_and_robots_by_name);
+  RUN_TEST(test_exported_ways_bear_names);
+  RUN_TEST(test_robots_whose_names_make_one_file_are_refused);
   RUN_TEST(test_pictures_bear_names);
   RUN_TEST(test_options_take_names);
   RUN_TEST(test_beliefs_keep_names);
