@@ -51,8 +51,8 @@ bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint
  * place now visited for the first time. 0 with nothing changed: the game is over. */
 qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places *arrived);
 
-/* The key of a state, in the shape of the board's. */
-void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_board *board);
+/* The key of a state, in a shape such as the board's, with the clock's number (0 where the shape has no clock). */
+void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_key_shape *shape, qtr_steps clock);
 
 QTR_C_END
 

@@ -18,18 +18,21 @@ QTR_C_BEGIN
  * seeker. */
 #define QTR_KEY_WORDS (QTR_PLACE_WORDS + 1 + (((QTR_MAX_SEEKERS * 48) + 31) / 32))
 
-/* What the digits of a game's keys range over, and so how long they are. Fill the first part, then call
+/* What the numbers in a game's keys range over, and so how long keys are. Fill the first part, then call
  * qtr_key_measure(). */
 typedef struct {
   uint16_t places;   /* 1..QTR_MAX_PLACES */
   uint16_t nodes;    /* a node of this number or above stands for a seeker that has stood down */
   qtr_steps longest; /* the greatest time remaining */
-  qtr_steps clock;   /* the greatest digit of the clock; 0: time plays no part, and the key has no such digit */
+  qtr_steps clock;   /* the greatest number of the clock; 0: time plays no part, and the key has no bits for it */
   uint8_t seekers;   /* 1..QTR_MAX_SEEKERS */
   uint8_t kind[QTR_MAX_SEEKERS]; /* of each seeker: those of one kind are interchangeable, no others */
   /* set by qtr_key_measure() */
+  uint8_t node_bits;
+  uint8_t remaining_bits;
+  uint8_t clock_bits;
   uint8_t words; /* of a key, 1..QTR_KEY_WORDS */
-  uint16_t bits; /* that the greatest key takes */
+  uint16_t bits; /* of a key */
 } qtr_key_shape;
 
 /* The least significant word first. Words beyond the shape's are not written. */
@@ -39,10 +42,6 @@ typedef struct {
 
 /* Derive the size of the keys from the first part, which must be in its ranges. */
 void qtr_key_measure(qtr_key_shape *shape);
-
-/* The key of a state: the places visited, the clock's digit, and a node and a time remaining for each seeker. */
-void qtr_key_make(qtr_key *key, const qtr_key_shape *shape, const qtr_places *visited, qtr_steps clock,
-                  const uint16_t *node, const qtr_steps *remaining);
 
 QTR_C_END
 

@@ -81,8 +81,7 @@ void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_k
     if (is_idle) seen.node[i] = (uint16_t)places_of(e);
     seen.remaining[i] = qtr_sight_digit(&e->sight, &s->walk[i], is_idle);
   }
-  qtr_key_make(key, &e->keys, &seen.visited, qtr_objective_clock(&e->game->objective, s->now), seen.node,
-               seen.remaining);
+  qtr_joint_key(key, &seen, &e->keys, qtr_objective_clock(&e->game->objective, s->now));
 }
 
 /* ---- settings ---- */

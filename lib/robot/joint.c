@@ -193,8 +193,3 @@ qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places
   stand_down_the_useless(joint, board);
   return least;
 }
-
-/* Bound for is not in the key: it follows from the nodes of those on their way. */
-void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_board *board) {
-  qtr_key_make(key, &board->keys, &joint->visited, 0, joint->node, joint->remaining);
-}

@@ -8,6 +8,7 @@
 
 #include "core/bytes.h"
 #include "quarter/policy.h"
+#include "robot/joint_key.h"
 
 /* ---- the header, by byte offsets ---- */
 
@@ -101,7 +102,8 @@ static inline const uint8_t *section_of(const qtr_policy *policy, enum section s
 /* Format 1 has whole words, and 2 bytes of 0 at the end; since then a key and a choice take the bytes that they
  * need. */
 static inline qtr_record_shape record_shape_of(unsigned format, const qtr_board *board) {
-  const unsigned key_bytes = is_format_1(format) ? (4u * board->keys.words) : ((board->keys.bits + 7u) / 8u);
+  const unsigned key_bytes =
+      is_format_1(format) ? (4u * qtr_key_words_1(&board->keys)) : ((board->keys.bits + 7u) / 8u);
   const unsigned choice_bytes = (is_format_1(format) || ((QTR_MAX_PLACES >= 255) && (board->places >= 255u))) ? 2u : 1u;
   const unsigned bytes = key_bytes + (is_format_1(format) ? 4u : choice_bytes);
   return (qtr_record_shape){(uint16_t)bytes, (uint16_t)key_bytes, (uint8_t)choice_bytes};

@@ -22,11 +22,19 @@ static int compare_key(const uint8_t *record, const qtr_key *key, unsigned bytes
   return 0;
 }
 
+static void make_key(qtr_key *key, const qtr_policy *policy, const qtr_joint *joint) {
+  if (is_format_1(policy->format)) {
+    (void)qtr_joint_key_1(key, joint, &policy->board.keys);
+  } else {
+    qtr_joint_key(key, joint, &policy->board.keys, 0);
+  }
+}
+
 /* Records are sorted by key and each key is there once: halves of [low, high), in which alone the key can be. */
 bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice) {
   const qtr_record_shape *shape = &policy->records_shape;
   qtr_key key;
-  qtr_joint_key(&key, joint, &policy->board);
+  make_key(&key, policy, joint);
   uint32_t low = 0;
   uint32_t high = policy->records;
   while (low < high) {

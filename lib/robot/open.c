@@ -96,7 +96,8 @@ static int read_board(qtr_policy *policy) {
     return QTR_ERR_CORRUPT;
   }
   policy->records_shape = record_shape_of(policy->format, board);
-  return (board->keys.words == policy->bytes[QTR_POLICY_KEY_WORDS]) ? QTR_OK : QTR_ERR_SELFTEST;
+  const unsigned key_words = (policy->records_shape.key_bytes + 3u) / 4u;
+  return (key_words == policy->bytes[QTR_POLICY_KEY_WORDS]) ? QTR_OK : QTR_ERR_SELFTEST;
 }
 
 /* The table must end where its last section does: no byte is left that nobody answers for. */

@@ -240,11 +240,11 @@ static void test_travel_times_that_might_overflow_are_refused(void) {
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
 }
 
-/* 3 places, 2 seekers from one start, ways of up to 10 steps: a node and a time of each seeker make 5 * 11 cases (a
- * place, the start, stood down; 0 to 10 steps), the visited places 8: 55 * 55 * 8 = 24200 keys, 15 bits. */
-static void test_key_takes_the_bits_that_its_radices_need(void) {
+/* 3 places, 2 seekers from one start, ways of up to 10 steps: nodes are 0 to 4 (a place, the start, stood down), 3
+ * bits, times 4 bits, the visited places 3: 2 * (3 + 4) + 3 = 17 bits. */
+static void test_key_takes_the_bits_that_its_numbers_need(void) {
   corridor(QTR_RULE_FREE, 3, (unsigned[]){0, 6, 10}, 2, (unsigned[]){4, 4});
-  TEST_ASSERT_EQUAL_UINT16(15, board.keys.bits);
+  TEST_ASSERT_EQUAL_UINT16(17, board.keys.bits);
   TEST_ASSERT_EQUAL_UINT8(1, board.keys.words);
 }
 
@@ -254,9 +254,9 @@ static void test_key_by_hand(void) {
   choose(0, 2);
   choose(1, 1);
   expect_advance(2, 2);
-  qtr_joint_key(&key, &joint, &board);
+  qtr_joint_key(&key, &joint, &board.keys, 0);
   /* sorted: (place 1, 0 steps), (place 2, 4 steps); visited: place 1 */
-  TEST_ASSERT_EQUAL_UINT32((((1 * 11 + 0) * 5 + 2) * 11 + 4) * 8 + 2, key.word[0]);
+  TEST_ASSERT_EQUAL_UINT32(1u << 14 | 0u << 10 | 2u << 7 | 4u << 3 | 2u, key.word[0]);
 }
 
 static void test_largest_board_has_keys_within_the_array(void) {
@@ -276,7 +276,7 @@ static void test_largest_board_has_keys_within_the_array(void) {
   TEST_ASSERT_LESS_OR_EQUAL(32 * board.keys.words, board.keys.bits);
   TEST_ASSERT_GREATER_THAN(32 * (board.keys.words - 1), board.keys.bits);
   qtr_joint_start(&joint, &board, NULL, NULL);
-  qtr_joint_key(&key, &joint, &board);
+  qtr_joint_key(&key, &joint, &board.keys, 0);
 }
 
 /* ---- against the rules written down a second time ---- */
@@ -400,7 +400,7 @@ static unsigned gather_states(test_random *random, unsigned most) {
       }
       memset(&pool[count].key, 0xA5, sizeof pool[count].key);
       pool[count].joint = joint;
-      qtr_joint_key(&pool[count++].key, &joint, &board);
+      qtr_joint_key(&pool[count++].key, &joint, &board.keys, 0);
     }
   }
   return count;
@@ -473,7 +473,7 @@ int main(void) {
   RUN_TEST(test_cleared_bits_beyond_the_places_mean_nothing);
   RUN_TEST(test_board_out_of_range_is_refused);
   RUN_TEST(test_travel_times_that_might_overflow_are_refused);
-  RUN_TEST(test_key_takes_the_bits_that_its_radices_need);
+  RUN_TEST(test_key_takes_the_bits_that_its_numbers_need);
   RUN_TEST(test_key_by_hand);
   RUN_TEST(test_largest_board_has_keys_within_the_array);
   RUN_TEST(test_random_plays_keep_to_the_papers_rules);

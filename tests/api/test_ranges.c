@@ -268,7 +268,7 @@ static void test_seeker_or_choice_that_is_none_changes_nothing(void) {
     qtr_joint_start(&joint, &policy.board, NULL, number % 2 == 0 ? &cleared : NULL);
     for (bool on = true; on;) {
       const int chooser = qtr_joint_chooser(&joint, &policy.board);
-      qtr_joint_key(&key, &joint, &policy.board);
+      qtr_joint_key(&key, &joint, &policy.board.keys, 0);
       for (unsigned tries = 0; tries < 20; tries++) meddle(&joint, &random);
       if (chooser == QTR_NOBODY) {
         on = qtr_joint_advance(&joint, &policy.board, NULL) > 0;
@@ -335,8 +335,8 @@ static void test_board_of_any_numbers_is_refused_or_playable(void) {
     TEST_ASSERT_LESS_OR_EQUAL_MESSAGE(QTR_KEY_WORDS, board.keys.words, case_note);
     TEST_ASSERT_EQUAL_UINT_MESSAGE(board.places + board.starts, qtr_board_nodes(&board), case_note);
     qtr_joint_start(&joint, &board, NULL, NULL);
-    qtr_joint_key(&key[0], &joint, &board);
-    qtr_key_make(&key[1], &again, &joint.visited, 0, joint.node, joint.remaining);
+    qtr_joint_key(&key[0], &joint, &board.keys, 0);
+    qtr_joint_key(&key[1], &joint, &again, 0);
     TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&key[0], &key[1], sizeof key[0], case_note);
   }
 }

@@ -58,13 +58,13 @@ static void test_what_is_in_order_does_not_end(void) {
 static void give_a_time_beyond_the_longest(void) {
   qtr_key key;
   joint.remaining[0] = policy.board.keys.longest + 1;
-  qtr_joint_key(&key, &joint, &policy.board);
+  qtr_joint_key(&key, &joint, &policy.board.keys, 0);
 }
 
 static void give_a_place_beyond_the_last(void) {
   qtr_key key;
   joint.visited.word[0] |= 8;
-  qtr_joint_key(&key, &joint, &policy.board);
+  qtr_joint_key(&key, &joint, &policy.board.keys, 0);
 }
 
 static void make_a_key_longer_than_was_measured(void) {
@@ -72,7 +72,7 @@ static void make_a_key_longer_than_was_measured(void) {
   qtr_key_shape shape = policy.board.keys;
   shape.bits = 3;
   set_out();
-  qtr_key_make(&key, &shape, &joint.visited, 0, joint.node, joint.remaining);
+  qtr_joint_key(&key, &joint, &shape, 0);
 }
 
 static void measure_keys_of_nothing(void) {
@@ -81,10 +81,10 @@ static void measure_keys_of_nothing(void) {
 }
 
 static void test_keys(void) {
-  expect_death("a digit is below its base", give_a_time_beyond_the_longest);
+  expect_death("a number fits its bits", give_a_time_beyond_the_longest);
   expect_death("visited places are the board's", give_a_place_beyond_the_last);
-  expect_death("no key is greater than the one measured", make_a_key_longer_than_was_measured);
-  expect_death("the greatest key is not 0", measure_keys_of_nothing);
+  expect_death("no key is longer than was measured", make_a_key_longer_than_was_measured);
+  expect_death("no game is without places", measure_keys_of_nothing);
 }
 
 /* ---- the board and the joint game ---- */

@@ -61,7 +61,7 @@ static uint16_t random_choice(test_random *random, const qtr_joint *joint, const
 static void expect_same_key(const qtr_situation *situation, const qtr_state *state) {
   qtr_key seen, true_key;
   qtr_environment_key(ground, situation, &seen);
-  qtr_joint_key(&true_key, &state->joint, &game.board);
+  qtr_joint_key(&true_key, &state->joint, &game.board.keys, 0);
   TEST_ASSERT_EQUAL_MEMORY_MESSAGE(true_key.word, seen.word, 4u * game.board.keys.words, case_note);
 }
 

@@ -31,12 +31,12 @@ typedef struct {
 } golden_drawing;
 
 static const golden_drawing drawings[] = {
-    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_FREE, 0x63A87A8E},
-    {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0x67BA8AD3},
-    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_PAPER, 0x50BF3C31},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0x8A8DF420},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0x277E4DC6},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_PAPER, 0xC9AC4BE9},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_FREE, 0x10649CF5},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0xE35E8C90},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_PAPER, 0x27E6237C},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0x734800BC},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0xC17CBF67},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_PAPER, 0x1B2561B3},
 };
 
 /* Counts differences, so that one run shows all the new numbers. */
@@ -64,7 +64,7 @@ static void test_drawings_give_the_golden_tables(void) {
 
 /* Open ground, 13 places of even odds, 2 seekers: hundreds of episodes, each on the floats of the ones before. */
 static void test_hundreds_of_episodes_give_the_golden_table(void) {
-  static const uint32_t hash[2] = {0x80169489, 0xE9D429AE};
+  static const uint32_t hash[2] = {0x923AA1A6, 0xFBF81C81};
   unsigned others = 0;
   for (uint8_t objective = 0; objective < 2; objective++) {
     test_random random = {2024};

@@ -254,7 +254,7 @@ static void test_record_that_changes_the_game_is_refused(void) {
   uint32_t at = records_at();
   make_table();
   qtr_joint_start(&start, &policy.board, NULL, NULL);
-  qtr_joint_key(&key, &start, &policy.board);
+  qtr_joint_key(&key, &start, &policy.board.keys, 0);
   TEST_ASSERT_EQUAL_UINT8(1, policy.board.keys.words);
   const qtr_record_shape shape = policy.records_shape;
   while (memcmp(table_bytes + at, key_bytes(&key), shape.key_bytes) != 0) at += shape.bytes;

@@ -22,7 +22,8 @@ static inline int table_open_checked(qtr_policy *policy, const uint8_t *bytes, u
 static inline int table_forge_for_robots(qtr_policy *policy, uint8_t *bytes, uint32_t size) {
   table_seal(bytes, size);
   const int status = qtr_policy_open(policy, bytes, size);
-  if (status != QTR_ERR_SELFTEST || policy->board.keys.words != bytes[QTR_POLICY_KEY_WORDS]) return status;
+  if (status != QTR_ERR_SELFTEST || (policy->records_shape.key_bytes + 3u) / 4u != bytes[QTR_POLICY_KEY_WORDS])
+    return status;
   qtr_store32(bytes + QTR_POLICY_DIGEST, qtr_policy_digest(policy));
   table_seal(bytes, size);
   return qtr_policy_open(policy, bytes, size);

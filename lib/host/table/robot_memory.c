@@ -63,7 +63,7 @@ static layout key_shape_of(const robot_sizes *sizes, const robot_processor *proc
   put(&l, 2, 4); /* longest, clock */
   put(&l, 1, 1); /* seekers */
   put(&l, sizes->of[ROBOT_SEEKERS], 1);
-  put(&l, 1, 1); /* words */
+  put(&l, 4, 1); /* node_bits, remaining_bits, clock_bits, words */
   put(&l, 1, 2); /* bits */
   return l;
 }
