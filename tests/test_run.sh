@@ -64,6 +64,24 @@ libspng-dev libstb-dev nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-
     "chromium chromium-driver iproute2 libproj-dev librsvg2-dev libsodium-dev libspng-dev libstb-dev nftables spin"
 }
 
+# "Install it and build again", faults of the tool say.
+test_a_library_that_was_missing_is_looked_for_once_it_is_there() {
+  local build=$here/cache library
+  mkdir -p "$build"
+  compiles() { [ "$1" = "$there" ]; }
+  has_rsvg() { [ rsvg = "$there" ]; }
+  for library in SPNG PROJ RSVG; do
+    printf '%s_LIBRARY:FILEPATH=%s_LIBRARY-NOTFOUND\n' $library $library >"$build/CMakeCache.txt"
+    there=nothing
+    has_come_since && expect "$library, still missing" found missing
+    case $library in RSVG) there=rsvg ;; *) there=${library,,}.h ;; esac
+    has_come_since || expect "$library" missing found
+    printf '%s_LIBRARY:FILEPATH=/usr/lib/lib.so\n' $library >"$build/CMakeCache.txt"
+    has_come_since && expect "$library, known of" found known
+  done
+  return 0
+}
+
 test_without_root_one_line_to_paste_names_all() {
   local missing=(cmake libyaml-dev) tools=(spin) said
   find_root() { return 1; }
