@@ -17,7 +17,7 @@ from check_source import report, self_test
 from ruamel.yaml import YAML
 
 ROW = re.compile(r"^\| `(\w+)`(?:, also ((?:`\w+`(?:, | or )?)+))? \|.*\| `(.*)` \|$", re.MULTILINE)
-BASE = {"map": "map.yaml", "robots": [{"x": 0.5, "y": 1.5}], "places": [{"x": 2.5, "y": 1.5}]}
+BASE = {"map": "map.yaml", "robots": [{"x": 0.5, "y": 1.5}], "places": [{"x": 2.5, "y": 1.5}, {"x": 4.5, "y": 1.5}]}
 FILES = {
     "map.pgm": "P2 20 20 1\n" + "1 " * 400,
     "map.yaml": "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",

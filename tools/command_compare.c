@@ -76,24 +76,11 @@ static int read_side(side *s, fault *why) {
   return 0;
 }
 
-static bool has_name(const side *s, int place) {
-  return s->names.names->place[place][0] != '\0';
-}
-
-static bool is_one_place(const side *a, int place, const side *b, int other) {
-  if (has_name(a, place) != has_name(b, other)) return false;
-  return strcmp(naming_place(&a->names, (unsigned)place).text, naming_place(&b->names, (unsigned)other).text) == 0;
-}
-
 static void match_places(comparison *c) {
-  const side *a = &c->side[0], *b = &c->side[1];
-  for (int place = 0; place < a->names.places; place++) {
-    c->other[place] = NOBODY;
-    for (int other = 0; other < b->names.places && c->other[place] == NOBODY; other++) {
-      if (!is_one_place(a, place, b, other)) continue;
-      c->other[place] = other;
-      c->common[other] = true;
-    }
+  const naming *a = &c->side[0].names, *b = &c->side[1].names;
+  for (int place = 0; place < a->places; place++) {
+    c->other[place] = naming_same_place(a, place, b);
+    if (c->other[place] != NOBODY) c->common[c->other[place]] = true;
   }
 }
 

@@ -39,7 +39,7 @@ static const char intro[] =
 static const option_line lines[] = {
     {"output", "the picture (required)", 0},
     {"format", "svg, png or pdf; else as FILE ends, or svg", 0},
-    {"robots, cell-size, skip-unreachable, snap", "as in 'quarter learn', for inputs", 71},
+    {"robots, cell-size, skip-unreachable, snap,\nclear, without, add", "as in 'quarter learn', for inputs", 71},
     OPTION_LINE("dark"),
     OPTION_LINE("regions"),
     {"region-size region-diameter", "cells of a region, and steps between any two (default %s, %s)", 46},

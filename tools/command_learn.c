@@ -18,6 +18,8 @@ static const char intro[] =
     "quarter learn mission.yaml -o mission.qtr          and write the policy table for the robots\n"
     "quarter learn mission.yaml --c mission_policy.c    the same as a C array for firmware\n"
     "quarter learn big.yaml --time-limit 60 --json      the best in a minute, with the gap that is left\n"
+    "quarter learn mission.yaml --clear 'Bay 3,7' --without Alpha -o mission.qtr\n"
+    "                                                   the rest anew, and what that changes\n"
     "\n"
     "INPUT is a drawing (.txt), a mission (.yaml), or a map that has places. Ctrl-C ends the search and still writes "
     "the\n"
@@ -46,6 +48,7 @@ static const option_line lines[] = {
     OPTION_LINE("starts"),
     OPTION_LINE("cleared"),
     OPTION_LINE("table-limit"),
+    OPTION_LINE("against"),
     OPTION_LINE("curve"),
     OPTION_LINES_OF_REPORT,
 };
@@ -169,12 +172,17 @@ static int foresee_fit(fit *f, const options *o, fault *why) {
   return fit_check(f, o->input, why);
 }
 
+/* All that is read and refused before anything is learnt. */
+static int prepare(const options *o, report *r, fault *why) {
+  if (fit_begin(&r->fit, o->profile, why) != 0 || replan_begin(&r->before, o->against, o->output, why) != 0) return -1;
+  return prepare_problem(&learnt->p, o, why) == 0 ? foresee_fit(&r->fit, o, why) : -1;
+}
+
 static int learn(const options *o, report *r, fault *why) {
   stop_after(o->time_limit);
   learnt = study_take(why);
   *r = (report){.command = "learn", .o = o};
-  if (learnt == NULL || fit_begin(&r->fit, o->profile, why) != 0) return -1;
-  if (prepare_problem(&learnt->p, o, why) != 0 || foresee_fit(&r->fit, o, why) != 0) return -1;
+  if (learnt == NULL || prepare(o, r, why) != 0) return -1;
   stop_after(o->time_limit * (o->plan.any_starts || o->plan.any_cleared ? SEARCH_SHARE : 1.0));
   const double begin = stop_seconds();
   if (study_begin(learnt, &o->plan, why) != 0) return -1;

@@ -165,8 +165,9 @@ static int meant_seekers(int *seeker, const char *option, const char *word, cons
 
 static int meant_places(options *o, const naming *n, fault *why) {
   char wrong[FAULT_LINE];
-  for (int i = 0; i < o->clears; i++)
-    if (naming_list_places(&o->game.clear, n, o->clear[i], wrong) != 0) return fault_set(why, "--clear: %s", wrong);
+  for (int i = 0; i < o->plan.reading.clears; i++)
+    if (naming_list_places(&o->game.clear, n, o->plan.reading.clear[i], wrong) != 0)
+      return fault_set(why, "--clear: %s", wrong);
   if (o->target == NULL) return 0;
   o->game.target = naming_find_place(n, o->target, wrong);
   return o->game.target >= 0 ? 0 : fault_set(why, "--target: %s", wrong);

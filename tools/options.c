@@ -108,12 +108,26 @@ static int take_from(void *settings, const option_record *record, const char *va
   return 0;
 }
 
-/* PLACE,PLACE,...: which these are, the input or the table tells. */
-static int take_clear(void *settings, const option_record *record, const char *value, fault *why) {
-  options *o = settings;
-  if (o->clears == OPTIONS_LISTS) return fault_set(why, "--%s: given more than %d times", record->name, OPTIONS_LISTS);
-  o->clear[o->clears++] = value;
+/* Words of which the input, or the table, tells what they mean. */
+static int take_one(const char **words, int *count, const char *name, const char *value, fault *why) {
+  if (*count == INPUT_WORDS) return fault_set(why, "--%s: given more than %d times", name, INPUT_WORDS);
+  words[(*count)++] = value;
   return 0;
+}
+
+static int take_clear(void *settings, const option_record *record, const char *value, fault *why) {
+  input_options *reading = &((options *)settings)->plan.reading;
+  return take_one(reading->clear, &reading->clears, record->name, value, why);
+}
+
+static int take_without(void *settings, const option_record *record, const char *value, fault *why) {
+  input_options *reading = &((options *)settings)->plan.reading;
+  return take_one(reading->without, &reading->withouts, record->name, value, why);
+}
+
+static int take_add(void *settings, const option_record *record, const char *value, fault *why) {
+  input_options *reading = &((options *)settings)->plan.reading;
+  return take_one(reading->add, &reading->adds, record->name, value, why);
 }
 
 /* ---- all options ---- */
@@ -238,6 +252,10 @@ option_table option_records = {
      .help = "refuse to make a larger table (default %s)",
      .standard = "4",
      NUMBER(plan.table_limit, 1e-3, 1e3, "of megabytes, from 0.001 to 1000")},
+    {.name = "against",
+     .argument = "TABLE",
+     .help = "tell what changes against this plan (the default is the one that --output replaces)",
+     FILE_NAME(against)},
     {.name = "budget-entries",
      .argument = "N",
      .help = "leave out what needs more Q entries",
@@ -273,6 +291,14 @@ option_table option_records = {
      .argument = "PLACE,...",
      .help = "places cleared beforehand, as every robot knows: their names or numbers",
      OWN(take_clear)},
+    {.name = "without",
+     .argument = "NAME",
+     .help = "leave a place or a robot out, by name or as place:3, robot:1; may be given several times",
+     OWN(take_without)},
+    {.name = "add",
+     .argument = "X,Y,W[,NAME]",
+     .help = "one more place, behind the input's own; may be given several times",
+     OWN(take_add)},
     {.name = "target", .argument = "PLACE", .help = "where the target is; its finder stops everyone", TEXT(target)},
     {.name = "dark", .help = "for dark pages", MARK(dark)},
     {.name = "regions", .help = "draw the borders of the map's regions", MARK(regions)},

@@ -10,14 +10,13 @@
 #include "host/plan/plan_config.h"
 #include "host/plan/simulation.h"
 
-#define OPTIONS_LISTS 16 /* of places, each with an option of its own */
-
 typedef struct {
   const char *input;
   const char *second;    /* of a command that takes two */
   const char *output;    /* -o; NULL: none */
   const char *c_output;  /* --c; NULL: none */
   const char *profile;   /* "mcu", or a robot's config header; NULL: none */
+  const char *against;   /* a table to compare the plan with; NULL: none is named */
   const char *curve;     /* CSV of the learning's progress; NULL: none */
   bool json;             /* print JSON instead of text */
   const char *json_path; /* write it here; NULL: standard output */
@@ -30,8 +29,6 @@ typedef struct {
   simulation_config game;  /* who and where are words yet, below, until there is a table */
   char late[QTR_MAX_SEEKERS][QTR_SITE_NAME_BYTES], lost[QTR_MAX_SEEKERS][QTR_SITE_NAME_BYTES]; /* of game's, in order */
   const char *target;                                                                          /* NULL: none */
-  int clears;
-  const char *clear[OPTIONS_LISTS]; /* lists of places */
   /* drawing */
   bool regions, spots, dark;
   /* writing for others */
@@ -55,7 +52,8 @@ extern option_table option_records;
 /* What a problem is made of an input by. */
 #define OPTION_LINES_OF_PROBLEM                                                                                        \
   OPTION_LINE("robots"), OPTION_LINE("objective"), OPTION_LINE("gamma"), OPTION_LINE("rule"),                          \
-      OPTION_LINE("cell-size"), OPTION_LINE("skip-unreachable"), OPTION_LINE("snap")
+      OPTION_LINE("cell-size"), OPTION_LINE("skip-unreachable"), OPTION_LINE("snap"), OPTION_LINE("clear"),            \
+      OPTION_LINE("without"), OPTION_LINE("add")
 
 /* How the list of a command ends that learns and reports, and that of one that answers without progress; and what their
  * help says of an early end: of a signal `what` is left, and `first` is what a command that learns may not have come

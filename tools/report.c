@@ -45,6 +45,14 @@ static void write_certificate(json *j, const qtr_certificate *c) {
   json_integer(j, "negligible_places", c->negligible_places);
 }
 
+/* By the input's numbers. */
+static void write_cleared(json *j, const input *in) {
+  json_flat_array(j, "cleared");
+  for (unsigned place = 0; place < in->places_stated; place++)
+    if (qtr_places_has(&in->cleared, place)) json_integer(j, NULL, place);
+  json_end_array(j);
+}
+
 static void write_json(FILE *out, const void *what) {
   const report *r = what;
   const qtr_mission *mission = &r->p->in.mission;
@@ -82,6 +90,8 @@ static void write_json(FILE *out, const void *what) {
   json_flat_array(&j, "place_numbers");
   for (int place = 0; place < mission->places; place++) json_integer(&j, NULL, r->p->in.place_number[place]);
   json_end_array(&j);
+  write_cleared(&j, &r->p->in);
+  replan_json(&j, &r->before, &n, r->route);
   fit_json(&j, &r->fit);
   notes_json(&r->p->in.note, &j);
   if (r->anywhere) {
@@ -162,6 +172,7 @@ static void write_text(FILE *out, const void *what) {
   else
     fprintf(out, "%.3g s\n", r->seconds);
   report_routes(out, r->route, &n);
+  replan_write(out, &r->before, &n, r->route, r->certificate.expected_time);
   if (r->o->output != NULL)
     fprintf(out, "wrote %s: %s, %s\n", r->o->output, counted(r->table_bytes, "byte").text,
             counted(r->table_records, "state").text);

@@ -14,6 +14,7 @@
 #include "host/table/table.h"
 #include "options.h"
 #include "quarter/learner.h"
+#include "replan.h"
 
 typedef struct {
   const char *command; /* "learn" or "exact" */
@@ -27,6 +28,7 @@ typedef struct {
   uint32_t table_bytes;        /* 0: no table was made */
   uint32_t table_records;
   table_route route[QTR_MAX_SEEKERS]; /* places as the mission's */
+  replan before;                      /* the plan that this one replaces, or is compared with */
   bool anywhere;                      /* the table is for any start, or any places cleared */
   anywhere_report any;
   fit fit;

@@ -94,6 +94,16 @@ int naming_list_places(qtr_places *places, const naming *n, const char *list, ch
   return 0;
 }
 
+int naming_same_place(const naming *n, int place, const naming *other) {
+  const char *name = n->names->place[place];
+  for (int i = 0; i < other->places; i++) {
+    const char *its = other->names->place[i];
+    const bool nameless = name[0] == '\0' && its[0] == '\0';
+    if (nameless ? other->number[i] == n->number[place] : strcmp(name, its) == 0) return i;
+  }
+  return -1;
+}
+
 /* ---- as JSON ---- */
 
 bool naming_has_places(const naming *n) {

@@ -32,6 +32,10 @@ int naming_find_seeker(const naming *n, const char *word, char *wrong);
 /* Add the places that a list names, with commas between. 0, or -1 as above. */
 int naming_list_places(qtr_places *places, const naming *n, const char *list, char *wrong);
 
+/* The place of another mission or table that is this one: that of its name, or, where neither has a name, that of its
+ * number. -1: none is. */
+int naming_same_place(const naming *n, int place, const naming *other);
+
 /* Whether any place has a name. */
 bool naming_has_places(const naming *n);
 

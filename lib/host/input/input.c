@@ -9,6 +9,7 @@ const char *input_source_path(const input *in, input_origin origin) {
   switch (origin.source) {
   case INPUT_FROM_MAP: return in->map;
   case INPUT_FROM_CSV: return in->csv;
+  case INPUT_FROM_OPTION: return "--add";
   default: return in->path;
   }
 }
@@ -21,6 +22,13 @@ void input_keep_place(input *in, int to, int from) {
   in->place_position[to] = in->place_position[from];
   in->place_number[to] = in->place_number[from];
   if (to != from) memcpy(in->names.place[to], in->names.place[from], sizeof in->names.place[to]);
+}
+
+void input_keep_robot(input *in, int to, int from) {
+  in->mission.start[to] = in->mission.start[from];
+  in->start_origin[to] = in->start_origin[from];
+  in->start_position[to] = in->start_position[from];
+  if (to != from) memcpy(in->names.seeker[to], in->names.seeker[from], sizeof in->names.seeker[to]);
 }
 
 naming input_naming(const input *in) {

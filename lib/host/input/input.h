@@ -14,6 +14,7 @@
 #include "quarter/names.h"
 
 #define INPUT_PATH_SIZE 4096
+#define INPUT_WORDS 16 /* of each kind that a caller may add */
 
 /* The map frame in which the planning grid lies. Row 0 is the top row; without a turn y points up. */
 typedef struct {
@@ -48,7 +49,7 @@ typedef struct {
 } input_site;
 
 /* The file in which a start or place is stated. */
-enum input_source { INPUT_FROM_MISSION, INPUT_FROM_MAP, INPUT_FROM_CSV };
+enum input_source { INPUT_FROM_MISSION, INPUT_FROM_MAP, INPUT_FROM_CSV, INPUT_FROM_OPTION };
 
 typedef struct {
   uint8_t source; /* enum input_source */
@@ -72,6 +73,7 @@ typedef struct {
   input_position place_position[QTR_MAX_PLACES];
   uint16_t place_number[QTR_MAX_PLACES]; /* in the input, where places may have been left out; ascending */
   uint16_t places_stated;                /* in the input, the ones left out included */
+  qtr_places cleared;                    /* by their numbers: searched before the start */
   notes note;
   int map_notes; /* as many of them, the first, are about the map as ground to drive on */
 } input;
@@ -81,6 +83,11 @@ typedef struct {
   int robots;       /* overrides; 0: as many as the input has starts */
   double snap;      /* metres, cells on a map without: as far may a start or place be moved to a free cell */
   bool skip;        /* leave out places that are on no free cell */
+  /* words of the caller's, which choose.h makes sense of */
+  int clears, withouts, adds;
+  const char *clear[INPUT_WORDS];   /* lists of places that are cleared */
+  const char *without[INPUT_WORDS]; /* places and robots to leave out */
+  const char *add[INPUT_WORDS];     /* "x,y,weight,name" of places to add */
 } input_options;
 
 /* The path of the file in which a start or place is stated. */
@@ -91,6 +98,9 @@ naming input_naming(const input *in);
 
 /* Let place `from` stand in the place of `to`, number, name and all: where places are left out. */
 void input_keep_place(input *in, int to, int from);
+
+/* The same for robots. */
+void input_keep_robot(input *in, int to, int from);
 
 /* "place 3 (mission.yaml:17)" and "seeker 0 (area.txt:4:7)", for messages about a place or a seeker's start, by name
  * where it has one; the number is the input's. */

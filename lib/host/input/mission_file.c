@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "host/input/choose.h"
 #include "host/input/csv.h"
 #include "host/input/decode.h"
 #include "host/input/drawing.h"
@@ -145,7 +146,7 @@ int mission_file_read(input *in, tree *yaml, const input_options *options) {
   if (keys_read(in, &mission_keys, yaml, root, "the mission", NULL)) return -1;
   if (read_map(in, yaml, root, options) || geo_read(in, yaml, root) || read_robots(in, yaml, root)) return -1;
   if (read_places(in, yaml, root) || read_csv(in, yaml, root)) return -1;
-  if (in->mission.places > 0) return 0;
+  if (in->mission.places > 0 || options->adds > 0) return choose_cleared(in, yaml, root);
   return file_fault(yaml->why, yaml->path, 0, 0,
                     "no place to visit; list one at least under 'places', or name a 'places_csv'");
 }

@@ -169,6 +169,13 @@ static const key_record mission_records[] = {
      .help = "more places, from a CSV whose header names keys of a place, in any order",
      .example = "places.csv",
      KEY_FIELD(input, csv)},
+    {.name = "cleared",
+     .kind = KEY_LIST,
+     .help =
+         "places that were searched before, by name or else by number: nobody goes there again, and likelihoods are "
+         "those of the rest",
+     .example = "[0]",
+     .standard = "none"},
     {.name = "objective",
      .kind = KEY_WORD,
      .help = "what is best: the likeliest places soonest, by gamma a step, or the least expected time of the find",

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "host/base/file.h"
+#include "host/input/choose.h"
 #include "host/input/decode.h"
 #include "host/input/drawing.h"
 #include "host/input/foreign.h"
@@ -101,5 +102,6 @@ int input_read(input *in, const char *path, const input_options *options, fault 
   file_free(&bytes);
   if (result != 0) return -1;
   frame_in_um(&in->frame, &in->mission.frame);
+  if (choose_added(in, options, why) || choose_rest(in, options, why)) return -1;
   return sites_finish(in, options, why);
 }
