@@ -17,15 +17,19 @@ QTR_APART static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_
   return qtr_crc32_add(digest, line, sizeof line);
 }
 
+QTR_APART static void start(qtr_joint *joint, const qtr_policy *policy) {
+  qtr_deployment home;
+  qtr_deployment_home(&home, policy);
+  qtr_joint_start(joint, &policy->board, home.start_of, &home.cleared);
+}
+
 /* One pass over the game, choice by choice. */
 static uint32_t digest_of_game(const qtr_policy *policy) {
-  qtr_deployment home;
   qtr_joint joint;
   qtr_move move;
   qtr_steps now = 0;
   uint32_t digest = 0;
-  qtr_deployment_home(&home, policy);
-  qtr_joint_start(&joint, &policy->board, home.start_of, &home.cleared);
+  start(&joint, policy);
   while (qtr_policy_move(policy, &joint, &move)) {
     now += move.passed;
     digest = add(digest, move.seeker, move.choice, now);
