@@ -85,7 +85,7 @@ static void match_places(comparison *c) {
 }
 
 static qtr_steps way_of(const side *s, int from, int to) {
-  return qtr_board_steps(&s->t.policy.board, QTR_ANY_SEEKER, (unsigned)from, (unsigned)to);
+  return qtr_board_class_steps(&s->t.policy.board, 0, (unsigned)from, (unsigned)to);
 }
 
 static bool is_alike(const side *a, int place, const side *b, int other) {

@@ -75,8 +75,8 @@ static int pick_diameters(qtr_steps *diameters) {
   int picked = 0;
   for (unsigned from = 0; from < board->places; from++) {
     for (unsigned to = 0; to < from; to++) {
-      const qtr_steps there = qtr_board_steps(board, QTR_ANY_SEEKER, from, to);
-      const qtr_steps back = qtr_board_steps(board, QTR_ANY_SEEKER, to, from);
+      const qtr_steps there = qtr_board_class_steps(board, 0, from, to);
+      const qtr_steps back = qtr_board_class_steps(board, 0, to, from);
       if (there != QTR_NEVER && back != QTR_NEVER) all[pairs++] = there > back ? there : back;
     }
   }

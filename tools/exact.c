@@ -1,10 +1,12 @@
 #include "exact.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "exact_free.h"
 #include "exact_paper.h"
+#include "exact_terms.h"
 
 static void name_starts(exact_problem *problem, const qtr_mission *mission) {
   problem->starts = 0;
@@ -62,19 +64,21 @@ static void evaluate(exact_solution *solution, const exact_problem *problem) {
       const int place = solution->route[i][v];
       solution->value += exact_reward(problem, place, solution->step[i][v]);
       solution->expected_time += problem->share[place] * (double)solution->step[i][v];
+      solution->look[i][v] = 1;
     }
   }
+  solution->found_probability = 1; /* every place is visited */
+  solution->objective = problem->discounted ? solution->value : solution->expected_time;
 }
 
 static void count_negligible(exact_solution *solution, const exact_problem *problem) {
-  const double objective = problem->discounted ? solution->value : solution->expected_time;
   for (int i = 0; i < problem->seekers; i++) {
     for (int v = 0; v < solution->length[i]; v++) {
       const int place = solution->route[i][v];
       const double steps = fmax(1, solution->step[i][v]);
       const double part =
           problem->discounted ? exact_reward(problem, place, solution->step[i][v]) : problem->share[place] * steps;
-      solution->negligible += part < QTR_NEGLIGIBLE * objective;
+      solution->negligible += part < QTR_NEGLIGIBLE * solution->objective;
     }
   }
 }
@@ -84,7 +88,7 @@ static bool by_paper_rule(const qtr_mission *mission) {
   return mission->rule == QTR_RULE_PAPER && mission->seekers > 1;
 }
 
-int exact_check(const qtr_mission *mission, fault *why) {
+static int check_plain(const qtr_mission *mission, fault *why) {
   const int most = mission->seekers <= 2 ? EXACT_PAIR_PLACES : EXACT_GROUP_PLACES;
   if (by_paper_rule(mission) && mission->places > EXACT_PAPER_PLACES)
     return fault_set(why,
@@ -98,7 +102,17 @@ int exact_check(const qtr_mission *mission, fault *why) {
                    mission->places, mission->seekers, EXACT_PAIR_PLACES, EXACT_GROUP_PLACES);
 }
 
-int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_steps *steps, fault *why) {
+static bool knows_objective(const qtr_mission *mission) {
+  const uint8_t kind = mission->aim.kind;
+  return kind == QTR_DISCOUNTED || kind == QTR_TIME || kind == QTR_DEADLINE;
+}
+
+int exact_check(const qtr_mission *mission, fault *why) {
+  if (!knows_objective(mission)) return fault_set(why, "exact: there is no objective %d", mission->aim.kind);
+  return exact_has_terms(mission) ? exact_check_terms(mission, why) : check_plain(mission, why);
+}
+
+int exact_solve_plain(exact_solution *solution, const qtr_mission *mission, const qtr_steps *steps, fault *why) {
   exact_problem problem = {.places = mission->places,
                            .seekers = mission->seekers,
                            .discounted = mission->aim.kind == QTR_DISCOUNTED,
@@ -106,6 +120,7 @@ int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_
                            .steps = steps};
   memset(solution, 0, sizeof *solution);
   if (exact_check(mission, why) != 0) return -1;
+  if (exact_has_terms(mission)) return fault_set(why, "exact: the mission has terms that travel times do not tell");
   name_starts(&problem, mission);
   normalise(&problem, mission);
   if (check_places(&problem, why) != 0 || check_steps(&problem, why) != 0) return -1;
@@ -115,4 +130,30 @@ int exact_solve(exact_solution *solution, const qtr_mission *mission, const qtr_
   evaluate(solution, &problem);
   count_negligible(solution, &problem);
   return 0;
+}
+
+/* Found anew: none of the game's are used. */
+static qtr_steps *measure(const qtr_mission *mission, qtr_travel *travel) {
+  const qtr_grid grid = qtr_mission_grid(mission);
+  const unsigned places = mission->places;
+  const unsigned seekers = mission->seekers;
+  qtr_steps *steps = malloc(sizeof *steps * (seekers + places) * places);
+  for (unsigned to = 0; steps != NULL && to < places; to++) {
+    qtr_travel_fill(travel, &grid, mission->place[to]);
+    for (unsigned i = 0; i < seekers; i++) steps[i * places + to] = travel->to_go[mission->start[i]];
+    for (unsigned from = 0; from < places; from++)
+      steps[(seekers + from) * places + to] = travel->to_go[mission->place[from]];
+  }
+  return steps;
+}
+
+int exact_solve(exact_solution *solution, const qtr_mission *mission, qtr_travel *travel, fault *why) {
+  memset(solution, 0, sizeof *solution);
+  if (exact_check(mission, why) != 0) return -1;
+  if (exact_has_terms(mission)) return exact_solve_terms(solution, mission, travel, why);
+  qtr_steps *steps = measure(mission, travel);
+  const int status = steps != NULL ? exact_solve_plain(solution, mission, steps, why)
+                                   : fault_set(why, "exact: no memory for the travel times");
+  free(steps);
+  return status;
 }

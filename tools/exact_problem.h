@@ -11,13 +11,16 @@
 enum { EXACT_PAIR_PLACES = 22, EXACT_GROUP_PLACES = 18, EXACT_PAPER_PLACES = 20 };
 
 typedef struct {
+  double objective;            /* the optimum in the objective's own unit: one of the three below */
   double value;                /* discounted value of the optimal routes */
-  double expected_time;        /* steps, of the same routes */
-  int negligible;              /* places that make up less than QTR_NEGLIGIBLE of the objective each:
-                                                      sums that they are lost in do not tell their best order */
+  double expected_time;        /* steps, of the same routes; where they are not played for it, given that they find */
+  double found_probability;    /* that a look on the routes finds what is there */
+  int negligible;              /* visits that make up less than QTR_NEGLIGIBLE of the objective each: sums that they are
+                               lost in do not tell their best order */
   int length[QTR_MAX_SEEKERS]; /* places on each seeker's route */
   uint16_t route[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
   qtr_steps step[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* when */
+  uint8_t look[QTR_MAX_SEEKERS][QTR_MAX_PLACES];   /* the how many-th look at the place it is, from 1 */
 } exact_solution;
 
 typedef struct {

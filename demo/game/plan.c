@@ -132,8 +132,8 @@ static void survey(plan *p) {
 static void count_negligible(plan *p) {
   static qtr_objective objective;
   const table_certificate c = table_certificate_of(&p->t.policy);
-  const qtr_aim aim = {c.objective, c.gamma};
-  qtr_objective_init(&objective, &aim);
+  const qtr_aim aim = {.kind = c.objective, .gamma = c.gamma};
+  qtr_objective_init(&objective, &aim, NULL);
   p->negligible = 0;
   for (unsigned place = 0; place < p->t.policy.board.places; place++)
     if (p->step[place] != QTR_NEVER)

@@ -10,12 +10,12 @@
 
 #include "quarter/config.h"
 #include "quarter/key.h"
+#include "quarter/terms.h"
 
 QTR_C_BEGIN
 
 #define QTR_STAND_DOWN ((uint16_t)0xFFFF) /* as a choice; and as a node, of a seeker that has stood down */
 #define QTR_MAX_STARTS 32767              /* so that every node has a number of 16 bits */
-#define QTR_ANY_SEEKER QTR_MAX_SEEKERS /* where no one seeker is meant: the ground's own times, which no seeker beats */
 
 enum qtr_rule {
   QTR_RULE_FREE = 0, /* an unvisited place that nobody is bound for, or stand down */
@@ -30,9 +30,12 @@ typedef struct {
   uint8_t rule;                       /* enum qtr_rule */
   uint16_t start_of[QTR_MAX_SEEKERS]; /* each seeker's start, 0..starts-1: its node is places + start_of[i] */
   uint8_t step_bytes;                 /* 1, 2 or 4: of a travel time */
-  const uint8_t *steps;               /* travel times, little-endian, a row of `places` for every node, all ones for no
-                                        way; must outlive the board */
-  qtr_key_shape keys;                 /* set by qtr_board_init(): `longest` is the greatest finite travel time */
+  const uint8_t *steps;               /* travel times, scans included, little-endian, a row of `places` for every node,
+                                         all ones for no way; one such matrix after the other for each class; must
+                                         outlive the board */
+  qtr_terms terms;                    /* all 0: none */
+  qtr_key_shape keys;                 /* set by qtr_board_init(): `longest` is the greatest finite travel time, or the
+                                         latest ready time */
 } qtr_board;
 
 /* Check the first part and derive the rest. QTR_OK, QTR_ERR_ARGUMENT, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if the caller
@@ -43,9 +46,13 @@ int qtr_board_init_built(qtr_board *board, uint32_t config_id);
 /* Places and starts. */
 unsigned qtr_board_nodes(const qtr_board *board);
 
-/* Travel time of a seeker from a node to a place; QTR_NEVER if there is no way, or no such seeker, node or place.
- * QTR_ANY_SEEKER is one. */
+/* Classes of seekers, one or more. */
+unsigned qtr_board_classes(const qtr_board *board);
+
+/* Travel time from a node to a place, scan included, for a seeker, and for any of a class; QTR_NEVER if there is no
+ * way, or no such seeker, class, node or place. */
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place);
+qtr_steps qtr_board_class_steps(const qtr_board *board, unsigned of_class, unsigned node, unsigned place);
 
 QTR_C_END
 

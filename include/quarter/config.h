@@ -68,6 +68,28 @@
 #endif
 #endif
 
+/* Classes of robots in a mission, 1..64: what differs in speed, ground or scan times. Each takes a matrix of travel
+ * times. */
+#ifndef QTR_MAX_CLASSES
+#if defined(QTR_PROFILE_TINY)
+#define QTR_MAX_CLASSES 1
+#elif defined(QTR_PROFILE_MCU)
+#define QTR_MAX_CLASSES 4
+#else
+#define QTR_MAX_CLASSES 8
+#endif
+#endif
+
+/* Whether missions may make use of the field's terms (quarter/terms.h): classes, ready times, endurance, looks, a
+ * deadline, coming home. 0 leaves their code and memory out; missions and tables with such are refused. */
+#ifndef QTR_TERMS
+#ifdef QTR_PROFILE_TINY
+#define QTR_TERMS 0
+#else
+#define QTR_TERMS 1
+#endif
+#endif
+
 /* Places of a hiding spot, 1..8. The best order inside a spot is worked out over the subsets of its places, in
  * 12 * size * 2^size bytes of scratch. */
 #ifndef QTR_MAX_SPOT_SIZE
@@ -154,6 +176,9 @@
 #if QTR_MAX_SEEKERS < 1 || QTR_MAX_SEEKERS > 64
 #error "QTR_MAX_SEEKERS must lie in 1..64"
 #endif
+#if QTR_MAX_CLASSES < 1 || QTR_MAX_CLASSES > 64
+#error "QTR_MAX_CLASSES must lie in 1..64"
+#endif
 #if QTR_MAX_SPOT_SIZE < 1 || QTR_MAX_SPOT_SIZE > 8
 #error "QTR_MAX_SPOT_SIZE must lie in 1..8"
 #endif
@@ -197,6 +222,7 @@ typedef uint32_t qtr_steps;
 #define QTR_CONFIG_ID                                                                                                  \
   ((uint32_t)(((uint32_t)(QTR_MAX_CELLS) * 2654435761u) ^ ((uint32_t)(QTR_MAX_PLACES) * 2246822519u) ^                 \
               ((uint32_t)(QTR_MAX_SEEKERS) * 3266489917u) ^ ((uint32_t)(QTR_QTABLE_WORDS) * 668265263u) ^              \
+              ((uint32_t)(QTR_MAX_CLASSES) * 2654435789u) ^ ((uint32_t)(QTR_TERMS) * 2246822543u) ^                    \
               ((uint32_t)(QTR_BOUND_SLOTS) * 374761393u) ^ ((uint32_t)(QTR_MAX_SPOT_SIZE) * 1013904223u) ^             \
               ((uint32_t)(QTR_MAX_REGIONS) * 2246822507u) ^ ((uint32_t)(QTR_MAX_REGION_SIZE) * 3266489909u) ^          \
               ((uint32_t)(QTR_MAX_REGION_DIAMETER) * 2654435769u) ^ ((uint32_t)(QTR_OBJECTIVE_POWERS) * 2147483659u)))

@@ -46,10 +46,11 @@ typedef struct qtr_environment qtr_environment;
  * it. `how` NULL: no aggregation. */
 size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how);
 
-/* At most, for blocks in static storage: without regions, and with them. */
-#define QTR_ENVIRONMENT_BYTES                                                                                          \
+/* At most, for blocks in static storage: without aggregation, with spots, and with regions besides. */
+#define QTR_ENVIRONMENT_GROUND_BYTES                                                                                   \
   (sizeof(qtr_board) + 2 * sizeof(qtr_spots) + sizeof(qtr_spot_scratch) +                                              \
-   (size_t)QTR_MAX_PLACES * (8 * QTR_MAX_SPOT_SIZE + 6 * QTR_MAX_NODES + 16) + 256)
+   (size_t)QTR_MAX_PLACES * (8 * QTR_MAX_SPOT_SIZE + 2 * QTR_MAX_NODES + 16) + 256)
+#define QTR_ENVIRONMENT_BYTES (QTR_ENVIRONMENT_GROUND_BYTES + (size_t)QTR_MAX_PLACES * 4 * QTR_MAX_NODES)
 #define QTR_ENVIRONMENT_REGIONS_BYTES                                                                                  \
   (QTR_ENVIRONMENT_BYTES + (size_t)QTR_MAX_PLACES * (sizeof(qtr_steps) * QTR_MAX_REGIONS + (QTR_MAX_CELLS + 3) / 4))
 

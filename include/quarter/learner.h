@@ -107,16 +107,18 @@ typedef struct {
 /* Bytes of the workspace that learning a game takes, on whatever aggregate of it. */
 size_t qtr_learner_bytes(const qtr_game *game);
 
-/* At most: what the bound's prices, the game under way and the search on it take, then the bound's gains. */
+/* At most, where seekers are of no more than QTR_MAX_CLASSES kinds (quarter/terms.h): what the bound's prices, the game
+ * under way and the search on it take, then the bound's gains. */
 #define QTR_LEARNER_BYTES                                                                                              \
   (2 * sizeof(qtr_play) + 2 * sizeof(qtr_routes) + QTR_MAX_CHOICES * (sizeof(qtr_key) + QTR_RECORD_BYTES + 64) +       \
-   (size_t)QTR_MAX_PLACES * (sizeof(qtr_key) + 64 + 4 * (QTR_MAX_NODES + QTR_MAX_PLACES) + 24 * QTR_BOUND_SLOTS) +     \
+   (size_t)QTR_MAX_PLACES *                                                                                            \
+       (sizeof(qtr_key) + 64 + QTR_MAX_CLASSES * (8 + 4 * (QTR_MAX_NODES + QTR_MAX_PLACES) + 24 * QTR_BOUND_SLOTS)) +  \
    1024)
 
 /* All blocks for any mission of the build; large, keep it in static storage. Who never learns on an aggregate, or on
  * none with regions, declares smaller ones by the same sizes. */
 typedef struct {
-  uint64_t ground[(QTR_ENVIRONMENT_BYTES + 7) / 8];
+  uint64_t ground[(QTR_ENVIRONMENT_GROUND_BYTES + 7) / 8];
   uint64_t aggregate[(QTR_ENVIRONMENT_REGIONS_BYTES + 7) / 8];
   uint64_t work[(QTR_LEARNER_BYTES + 7) / 8];
   uint32_t table[QTR_QTABLE_WORDS];

@@ -3,10 +3,15 @@
  * Each objective is put as a sum over the places, to be maximised, of what the visit of a place is worth at its step t:
  *
  *   discounted      w P gamma^max(t-1, 0), w = 10        (paper, Eq. 4.2)
- *   expected time   -P t, and every place must be visited
+ *   expected time   -P t, and every place must be visited; with an end of the search P (T_end - t), and what is left
+ *                   out counts as found at T_end
+ *   deadline        P where t <= T, else 0
  *
- * Both worths fall with t, which is what the bounds rest on (lib/search/bound.h); and both can be taken apart at any
- * moment into what came before it and what comes after, counted from there, which is what backups rest on (Eq. 4.7).
+ * P is the share that a place has of all that can be found; discounted value and deadline count that in full, which is
+ * less than 1 where looks miss. No worth rises with t, which is what the bounds rest on (lib/search/bound.h); and each
+ * can be taken apart at any moment into what came before it and what comes after, which is what backups rest on (Eq.
+ * 4.7): the first two counted from there, whenever it is. With an end or a deadline what comes depends on when it is,
+ * and keys have a clock.
  */
 #ifndef QUARTER_OBJECTIVE_H
 #define QUARTER_OBJECTIVE_H
@@ -21,6 +26,7 @@ QTR_C_BEGIN
 enum qtr_objective_kind {
   QTR_DISCOUNTED = 0, /* maximise the sum over places of w P gamma^max(t-1, 0), w = 10 (paper, section 4.1) */
   QTR_TIME = 1,       /* minimise the expected step of the visit, the sum of P t */
+  QTR_DEADLINE = 2,   /* maximise the probability of a visit by a step, the sum of P over the places with t <= T */
   QTR_OBJECTIVES      /* how many there are */
 };
 
@@ -28,6 +34,9 @@ enum qtr_objective_kind {
 typedef struct {
   uint8_t kind; /* enum qtr_objective_kind */
   double gamma; /* discount a step, 0 < gamma < 1; under expected time too, for the value that is told beside it */
+  qtr_steps deadline; /* T, under QTR_DEADLINE alone */
+  double home_weight; /* under QTR_TIME alone: what each seeker's arrival at home counts beside the places, in units of
+                         their weights; 0 or more */
 } qtr_aim;
 
 /* Discounted, gamma 0.99. */
@@ -43,9 +52,20 @@ int qtr_aim_check(const qtr_aim *aim);
  * of the Q-table end at 1e-38, and what they cannot tell from nothing must not be called equal. */
 #define QTR_OBJECTIVE_LEAST_POWER 1e-28
 
+/* What else a game's worth depends on, of the mission's terms. */
+typedef struct {
+  double findable;    /* W: probability of what can be found at all; 1 where looks never miss */
+  double home_weight; /* v: what a step until a seeker is home counts, as a likelihood; 0: nothing */
+  qtr_steps end;      /* T_end, the latest end of a seeker's endurance; 0: none has one */
+} qtr_objective_terms;
+
 /* An objective ready for use; fill it by qtr_objective_init(). */
 typedef struct {
-  uint8_t kind;                       /* enum qtr_objective_kind */
+  uint8_t kind;       /* enum qtr_objective_kind */
+  qtr_steps deadline; /* T */
+  qtr_objective_terms terms;
+  double scale;                       /* of rewards, in units of P: w W discounted, W by a deadline */
+  double time_end;                    /* T_end under expected time, else 0 */
   double power[QTR_OBJECTIVE_POWERS]; /* gamma^n */
 } qtr_objective;
 
@@ -59,12 +79,13 @@ typedef struct {
 /* What a whole game earns, whatever it was played for. */
 typedef struct {
   double value;         /* discounted */
-  double expected_time; /* steps */
-  double worth;         /* under the objective, to be maximised: value, or -expected_time */
+  double expected_time; /* steps; with a weight of coming home that included */
+  double found;         /* probability of a find; under a deadline, by then */
+  double worth;         /* under the objective, to be maximised: value, -expected_time, or found */
 } qtr_score;
 
-/* Get an objective ready for an aim that was checked. */
-void qtr_objective_init(qtr_objective *objective, const qtr_aim *aim);
+/* Get an objective ready for an aim that was checked. `terms` NULL: none. */
+void qtr_objective_init(qtr_objective *objective, const qtr_aim *aim, const qtr_objective_terms *terms);
 
 /* gamma^n beyond the powers kept ready. */
 double qtr_objective_far_power(const qtr_objective *objective, qtr_steps n);
@@ -77,13 +98,20 @@ static inline double qtr_objective_power(const qtr_objective *objective, qtr_ste
 /* ---- the worth of visits ---- */
 
 static inline double qtr_objective_discounted(const qtr_objective *objective, double probability, qtr_steps when) {
-  return QTR_REWARD_SCALE * probability * qtr_objective_power(objective, when > 0 ? when - 1 : 0);
+  return QTR_REWARD_SCALE * objective->terms.findable * probability *
+         qtr_objective_power(objective, when > 0 ? when - 1 : 0);
 }
 
 /* What the first visit of a place of this likelihood is worth at step `when`. Never rises with `when`. */
 static inline double qtr_objective_worth(const qtr_objective *objective, double probability, qtr_steps when) {
-  if (objective->kind == QTR_TIME) return -probability * (double)when;
-  return qtr_objective_discounted(objective, probability, when);
+  if (objective->kind == QTR_TIME) return probability * (objective->time_end - (double)when);
+  if (objective->kind == QTR_DEADLINE) return when <= objective->deadline ? objective->scale * probability : 0.0;
+  return objective->scale * probability * qtr_objective_power(objective, when > 0 ? when - 1 : 0);
+}
+
+/* What leaving out places of this likelihood is worth. */
+static inline double qtr_objective_left(const qtr_objective *objective, double probability) {
+  return -objective->time_end * probability;
 }
 
 /* Whether a game is worth nothing that leaves a place out. Then a place can have a price below 0, for nobody may refuse
@@ -100,28 +128,30 @@ void qtr_aim_undiscount(qtr_aim *aim);
  * (QTR_NEGLIGIBLE). */
 bool qtr_objective_neglects(const qtr_objective *objective, double probability, qtr_steps when, double worth);
 
-/* Add up what a game earns, given each place's step of first visit. */
+/* Add up what a game earns, given each place's step of first visit, QTR_NEVER for one that is left out, and the steps
+ * until they are home of all seekers in all. */
 void qtr_objective_score(const qtr_objective *objective, qtr_score *score, const double *probability,
-                         const qtr_steps *visit, unsigned places);
+                         const qtr_steps *visit, unsigned places, uint64_t home);
 
 /* ---- worth from some moment on ---- */
 
-/* What the digit of a key is that stands for the time, and the greatest that it can be: 0 where what is still to come
- * is the same whenever it comes, so that states differ by their places and seekers alone. */
-qtr_steps qtr_objective_clock(const qtr_objective *objective, qtr_steps now);
+/* The greatest step that what is still to come depends on: 0 where it is the same whenever it comes, so that states
+ * differ by their places and seekers alone. */
 qtr_steps qtr_objective_last_clock(const qtr_objective *objective);
 
 /* The reward of a visit at the moment of the choice, with no time passing. */
 double qtr_objective_at_once(const qtr_objective *objective, double probability, qtr_steps now);
 
 /* A visit that happens now counts for so much, without the scale of rewards; and what is worth `worth` from `steps` on
- * counts for so much now, while places of the likelihood `waiting` wait for it. */
+ * counts for so much now, while places of the likelihood `waiting` wait for it. A deadline, which tells no two moments
+ * apart before it, takes the least expected time here. */
 double qtr_objective_visit(const qtr_objective *objective, double probability);
 double qtr_objective_delayed(const qtr_objective *objective, double worth, qtr_steps steps, double waiting);
 
 /* What is worth `worth`, counted from the start, seen from step `now`, when places of the likelihood `unvisited` are
- * left: the most that can still come. */
-double qtr_objective_from_now(const qtr_objective *objective, double worth, qtr_steps now, double unvisited);
+ * left and `seekers` have not gone home: the most that can still come. */
+double qtr_objective_from_now(const qtr_objective *objective, double worth, qtr_steps now, double unvisited,
+                              unsigned seekers);
 
 /* ---- time as a backup sees it: a beginning, then stretch by stretch first wait, then the visits in it, at last its
  * end ---- */
@@ -129,14 +159,21 @@ double qtr_objective_from_now(const qtr_objective *objective, double worth, qtr_
 /* A choice has been made at step `now`, and nothing has passed yet. */
 void qtr_objective_begin(qtr_outcome *outcome, qtr_steps now);
 
-/* All that is unvisited at first waits for the whole stretch of `passed` steps. */
-void qtr_objective_wait(const qtr_objective *objective, qtr_outcome *outcome, double unvisited, qtr_steps passed);
+/* All that is unvisited at first waits for the whole stretch of `passed` steps, and so do seekers that are not home. */
+void qtr_objective_wait(const qtr_objective *objective, qtr_outcome *outcome, double unvisited, unsigned seekers,
+                        qtr_steps passed);
 
 /* A visit `offset` steps, one or more, into the stretch: what waited no longer from there on is given back. */
 void qtr_objective_collect(const qtr_objective *objective, qtr_outcome *outcome, double probability, qtr_steps offset,
                            qtr_steps passed);
 
 void qtr_objective_pass(const qtr_objective *objective, qtr_outcome *outcome, qtr_steps passed);
+
+/* What a seeker costs that goes home now, `steps` from there. */
+double qtr_objective_leave(const qtr_objective *objective, qtr_steps steps);
+
+/* The game is over, and places of this likelihood were left out: with an end they wait until then. */
+void qtr_objective_end(const qtr_objective *objective, qtr_outcome *outcome, double unvisited);
 
 /* ---- what people are told ---- */
 

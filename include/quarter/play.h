@@ -18,21 +18,24 @@ typedef struct {
   uint16_t choices;
   uint8_t seeker[QTR_MAX_CHOICES];
   uint16_t choice[QTR_MAX_CHOICES];
-  qtr_steps visit[QTR_MAX_PLACES]; /* each place's step of first visit */
+  qtr_steps visit[QTR_MAX_PLACES]; /* each place's step of first visit; QTR_NEVER: left out */
   qtr_score score;
 } qtr_play;
 
 /* What a route brings. Of two that are worth the same as far as a sum can tell, because what they differ in is
  * discounted away, the one with less expected time is better. */
 typedef struct {
-  double worth; /* under the mission's objective; -HUGE_VAL if a place on it cannot be reached */
+  double worth; /* under the mission's objective; -HUGE_VAL if a place on it cannot be visited, and home in time */
   double time;  /* its share of the expected time, steps */
 } qtr_route_score;
 
+/* A route for each seeker and, in games with an end, behind them one of the places that nobody visits. */
+#define QTR_MAX_ROUTES (QTR_MAX_SEEKERS + (QTR_TERMS ? 1 : 0))
+
 typedef struct {
-  uint16_t length[QTR_MAX_SEEKERS];
-  uint16_t place[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* in the order of the visits */
-  qtr_route_score score[QTR_MAX_SEEKERS];
+  uint16_t length[QTR_MAX_ROUTES];
+  uint16_t place[QTR_MAX_ROUTES][QTR_MAX_PLACES]; /* in the order of the visits */
+  qtr_route_score score[QTR_MAX_ROUTES];
 } qtr_routes;
 
 /* Fill in visits and score by playing the choices again: what is reported is what they earn, whatever was learnt. */

@@ -19,5 +19,6 @@
 #include "quarter/seeker.h"
 #include "quarter/signal.h"
 #include "quarter/status.h"
+#include "quarter/terms.h"
 
 #endif

@@ -35,7 +35,10 @@ enum {
   QTR_ERR_TRAVEL = -18,      /* table: travel times that contradict one another, or a place that no seeker can reach */
   QTR_ERR_CERTIFICATE = -19, /* table: a value, bound or gap that is no number, or that the others contradict */
   QTR_ERR_STOPPED = -20,     /* the caller's watch ended the work before it was done (quarter/watch.h) */
-  QTR_ERR_SAVE = -21         /* save: torn, or of another robot, table or format */
+  QTR_ERR_SAVE = -21,        /* save: torn, or of another robot, table or format */
+  QTR_ERR_CLASS = -22,       /* mission: a class of robots out of its ranges, or a seeker of a class that is none */
+  QTR_ERR_LOOKS = -23,       /* mission: a place's looks or detection out of range, or looks that take no step each */
+  QTR_ERR_HORIZON = -24      /* mission: no seeker can search any place by the deadline, or within its endurance */
 };
 
 /* QTR_VERSION of the library that is linked. */

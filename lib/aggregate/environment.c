@@ -30,30 +30,34 @@ static uint16_t first_place(const qtr_environment *e, unsigned node, unsigned ta
 static qtr_steps longest_between(const qtr_environment *e, unsigned from, unsigned to) {
   qtr_steps longest = QTR_NEVER;
   for (unsigned i = 0; i < qtr_targets_size(&e->targets, from); i++) {
-    const qtr_steps steps =
-        qtr_targets_duration(&e->targets, QTR_ANY_SEEKER, qtr_targets_place(&e->targets, from, i), to);
+    const qtr_steps steps = qtr_targets_duration(&e->targets, 0, qtr_targets_place(&e->targets, from, i), to);
     if (steps != QTR_NEVER && (longest == QTR_NEVER || steps > longest)) longest = steps;
   }
   return longest;
 }
 
-/* The joint game's rules hold among targets as among places. The board's times are for reach alone, and for how long
- * keys must be: a tour depends on where it begins, so choosing sets the time that remains
- * (qtr_environment_choose()). */
-static int make_board(qtr_environment *e, uint8_t rule) {
+/* Times between targets are for reach alone, and for how long keys must be: a tour depends on where it begins, so
+ * choosing sets the time that remains (qtr_environment_choose()). */
+static void fill_reach(qtr_environment *e) {
   const unsigned targets = e->targets.count;
-  e->board = e->game->board;
-  e->board.places = e->targets.count;
-  e->board.rule = rule;
-  e->board.step_bytes = 4;
-  e->board.steps = e->reach;
   for (unsigned to = 0; to < targets; to++) {
     for (unsigned from = 0; from < targets; from++)
       qtr_store32(e->reach + 4 * ((size_t)from * targets + to), from == to ? 0 : longest_between(e, from, to));
     for (unsigned start = 0; start < e->board.starts; start++)
       qtr_store32(e->reach + 4 * ((size_t)(targets + start) * targets + to),
-                  qtr_targets_duration(&e->targets, QTR_ANY_SEEKER, places_of(e) + start, to));
+                  qtr_targets_duration(&e->targets, 0, places_of(e) + start, to));
   }
+}
+
+/* The joint game's rules hold among targets as among places; where these are the same, on one board. */
+static int make_board(qtr_environment *e, uint8_t rule) {
+  e->board = e->game->board;
+  e->board.rule = rule;
+  if (!e->aggregated) return QTR_OK;
+  e->board.places = e->targets.count;
+  e->board.step_bytes = 4;
+  e->board.steps = e->reach;
+  fill_reach(e);
   return qtr_board_init(&e->board);
 }
 
@@ -65,7 +69,6 @@ static void shape_keys(qtr_environment *e) {
   e->keys = e->board.keys;
   e->keys.nodes = (uint16_t)nodes_of(e);
   if (!qtr_sight_is_exact(&e->sight)) e->keys.longest = qtr_sight_last_digit(&e->sight);
-  e->keys.clock = qtr_objective_last_clock(&e->game->objective);
   qtr_key_measure(&e->keys);
 }
 
@@ -81,7 +84,7 @@ void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_k
     if (is_idle) seen.node[i] = (uint16_t)places_of(e);
     seen.remaining[i] = qtr_sight_digit(&e->sight, &s->walk[i], is_idle);
   }
-  qtr_joint_key(key, &seen, &e->keys, qtr_objective_clock(&e->game->objective, s->now));
+  qtr_joint_key(key, &seen, &e->keys);
 }
 
 /* ---- settings ---- */
@@ -106,6 +109,26 @@ static int make_targets(qtr_environment *e, const qtr_aggregation *how) {
   return QTR_OK;
 }
 
+/* What an aggregate leaves out of sight: who may go where until when. */
+static bool is_for_spots(const qtr_game *game) {
+  const qtr_terms *terms = &game->board.terms;
+  return qtr_board_classes(&game->board) == 1 && terms->look_of == NULL && terms->ready == NULL && terms->end == NULL &&
+         game->objective.terms.home_weight == 0.0;
+}
+
+/* Regions walk cell by cell, a step at a time. */
+static bool is_for_regions(const qtr_game *game) {
+  const qtr_robot_class *all = &game->mission->robot_class[0];
+  for (unsigned place = 0; place < game->mission->places; place++)
+    if (all->scan[place] > 0) return false;
+  return all->cell_steps == 1 && !all->smooth_only && game->board.terms.clock == 0;
+}
+
+static int check_terms(const qtr_environment *e, const qtr_aggregation *how) {
+  if (!e->aggregated) return QTR_OK;
+  return is_for_spots(e->game) && (how->regions == NULL || is_for_regions(e->game)) ? QTR_OK : QTR_ERR_ARGUMENT;
+}
+
 /* What sight by regions needs stands behind the environment itself. */
 static int make_sight(qtr_environment *e, const qtr_aggregation *how, qtr_travel *travel) {
   if (how != NULL && how->regions != NULL)
@@ -115,11 +138,31 @@ static int make_sight(qtr_environment *e, const qtr_aggregation *how, qtr_travel
 }
 
 /* The public header's sizes hold what stands here. */
-typedef char environment_fits[sizeof(qtr_environment) <= QTR_ENVIRONMENT_BYTES ? 1 : -1];
+typedef char environment_fits[sizeof(qtr_environment) <= QTR_ENVIRONMENT_GROUND_BYTES ? 1 : -1];
+
+static bool is_aggregated(const qtr_aggregation *how) {
+  return how != NULL && (how->by_spots || how->regions != NULL);
+}
+
+static size_t sight_bytes(const qtr_game *game, const qtr_aggregation *how) {
+  return how != NULL && how->regions != NULL ? qtr_sight_bytes(game, how->regions->count) : 0;
+}
 
 size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how) {
-  const bool by_regions = how != NULL && how->regions != NULL;
-  return sizeof(qtr_environment) + (by_regions ? qtr_sight_bytes(game, how->regions->count) : 0);
+  const size_t times = 4 * ((size_t)game->board.places + game->board.starts) * game->board.places;
+  return sizeof(qtr_environment) + sight_bytes(game, how) + (is_aggregated(how) ? times : 0);
+}
+
+static int set_up(qtr_environment *e, const qtr_game *game, const qtr_aggregation *how, qtr_travel *travel) {
+  e->game = game;
+  e->aggregated = is_aggregated(how);
+  e->reach = (uint8_t *)(e + 1) + sight_bytes(game, how);
+  int status = check_terms(e, how);
+  if (status == QTR_OK) status = make_targets(e, how);
+  if (status == QTR_OK) status = make_board(e, how != NULL ? how->rule : game->board.rule);
+  if (status == QTR_OK) status = make_sight(e, how, travel);
+  if (status == QTR_OK) shape_keys(e);
+  return status;
 }
 
 int qtr_environment_init_built(qtr_environment **environment, void *block, size_t bytes, const qtr_game *game,
@@ -127,16 +170,9 @@ int qtr_environment_init_built(qtr_environment **environment, void *block, size_
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   int status = how != NULL ? qtr_aggregation_check(how) : QTR_OK;
   if (status == QTR_OK) status = block_check(block, bytes, qtr_environment_bytes(game, how));
-  if (status != QTR_OK) return status;
-  qtr_environment *e = block;
-  e->game = game;
-  status = make_targets(e, how);
-  if (status == QTR_OK) status = make_board(e, how != NULL ? how->rule : game->board.rule);
-  if (status == QTR_OK) status = make_sight(e, how, travel);
-  if (status != QTR_OK) return status;
-  shape_keys(e);
-  *environment = e;
-  return QTR_OK;
+  if (status == QTR_OK) status = set_up(block, game, how, travel);
+  if (status == QTR_OK) *environment = block;
+  return status;
 }
 
 unsigned qtr_environment_targets(const qtr_environment *e) {
@@ -145,7 +181,6 @@ unsigned qtr_environment_targets(const qtr_environment *e) {
 
 void qtr_environment_start(const qtr_environment *e, qtr_situation *s) {
   qtr_joint_start(&s->joint, &e->board, NULL, NULL);
-  s->now = 0;
   s->unvisited = 1.0;
   for (unsigned i = 0; i < e->board.seekers; i++) {
     s->at[i] = (uint16_t)(places_of(e) + e->board.start_of[i]);
@@ -157,7 +192,8 @@ void qtr_environment_start(const qtr_environment *e, qtr_situation *s) {
 
 unsigned qtr_environment_exit(const qtr_environment *e, const qtr_situation *s, unsigned seeker) {
   if (seeker >= e->board.seekers) return QTR_STAND_DOWN;
-  return s->joint.remaining[seeker] == 0 ? s->at[seeker] : qtr_tour_exit(qtr_targets_tour(&e->targets, s->at[seeker]));
+  if (s->joint.remaining[seeker] == 0 || s->at[seeker] >= places_of(e)) return s->at[seeker];
+  return qtr_tour_exit(qtr_targets_tour(&e->targets, s->at[seeker]));
 }
 
 /* A tour of length l with `remaining` steps left visits its place i, which lies l - s_i before its end, after
@@ -172,15 +208,16 @@ qtr_steps qtr_environment_visit(const qtr_environment *e, const qtr_situation *s
 
 /* A place where the seeker already stands counts at once, before time passes: its reward is apart from the entry's (Q
  * is stored under the state after the choice). */
-double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
-  if (seeker < 0 || seeker >= e->board.seekers) return 0.0;
-  if (choice == QTR_STAND_DOWN) {
-    qtr_joint_choose(&s->joint, &e->board, seeker, choice);
-    return 0.0;
-  }
+static double visit_at_once(const qtr_environment *e, qtr_situation *s, uint16_t place) {
+  s->unvisited -= e->game->probability[place];
+  return qtr_objective_at_once(&e->game->objective, e->game->probability[place], s->joint.now);
+}
+
+static double go_to(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
   const uint16_t first = first_place(e, s->at[seeker], choice);
   if (first == QTR_STAND_DOWN) return 0.0;
   const qtr_steps exact = qtr_targets_duration(&e->targets, (unsigned)seeker, s->at[seeker], choice);
+  if (exact == QTR_NEVER) return 0.0;
   const bool here = qtr_board_steps(&e->game->board, (unsigned)seeker, s->at[seeker], first) == 0;
   const bool done = qtr_joint_choose(&s->joint, &e->board, seeker, choice);
   s->at[seeker] = first;
@@ -189,9 +226,18 @@ double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int se
     s->joint.remaining[seeker] =
         qtr_sight_left(&e->sight, &s->walk[seeker], qtr_targets_tour(&e->targets, first), exact);
   /* With regions a spot counts when it is done. */
-  if (!here || (!qtr_sight_is_exact(&e->sight) && !done)) return 0.0;
-  s->unvisited -= e->game->probability[first];
-  return qtr_objective_at_once(&e->game->objective, e->game->probability[first], s->now);
+  return here && (done || qtr_sight_is_exact(&e->sight)) ? visit_at_once(e, s, first) : 0.0;
+}
+
+double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
+  if (seeker < 0 || seeker >= e->board.seekers) return 0.0;
+  const qtr_joint before = s->joint;
+  double reward = 0.0;
+  if (choice == QTR_STAND_DOWN)
+    qtr_joint_choose(&s->joint, &e->board, seeker, choice);
+  else
+    reward = go_to(e, s, seeker, choice);
+  return reward + qtr_game_leave(e->game, &before, &s->joint, 0);
 }
 
 /* A visit `offset` steps into a stretch of `passed` steps, under way since before it. */
@@ -216,20 +262,22 @@ static void collect_tour(const qtr_environment *e, qtr_situation *s, qtr_outcome
 }
 
 /* P / d: half a step for what is here, so that it goes before all else and the rate stays a number. */
-double qtr_environment_rate(const qtr_environment *e, unsigned node, unsigned target) {
+double qtr_environment_rate(const qtr_environment *e, unsigned seeker, unsigned node, unsigned target) {
   if (first_place(e, node, target) == QTR_STAND_DOWN) return 0.0;
-  const qtr_steps steps = qtr_targets_duration(&e->targets, QTR_ANY_SEEKER, node, target);
+  const qtr_steps steps = qtr_targets_duration(&e->targets, seeker, node, target);
+  if (steps == QTR_NEVER) return 0.0;
   return qtr_targets_probability(&e->targets, target) / (steps > 0 ? (double)steps : 0.5);
 }
 
 /* What is exact needs no cell: place and steps left say all that is to come. By regions the cell decides what is
  * seen next, so it goes on along the true way. */
 static void settle_seeker(const qtr_environment *e, qtr_situation *s, unsigned seeker, qtr_steps passed) {
+  if (s->at[seeker] >= places_of(e)) return; /* was not ready, at its start */
   const qtr_tour *tour = qtr_targets_tour(&e->targets, s->at[seeker]);
   qtr_steps *remaining = &s->joint.remaining[seeker];
   if (*remaining == 0) {
     s->at[seeker] = qtr_tour_exit(tour);
-    s->walk[seeker] = qtr_walk_at(e->game->mission->place[s->at[seeker]]);
+    s->walk[seeker] = qtr_walk_at(e->game->mission->place[qtr_game_place(e->game, s->at[seeker])]);
   } else if (!qtr_sight_is_exact(&e->sight)) {
     qtr_sight_walk(&e->sight, &s->walk[seeker], tour, passed);
     *remaining = qtr_sight_left(&e->sight, &s->walk[seeker], tour, *remaining);
@@ -254,7 +302,7 @@ static void collect_all(const qtr_environment *e, qtr_situation *s, qtr_outcome 
     return;
   }
   for (unsigned i = 0; i < e->board.seekers; i++) {
-    if (before->remaining[i] == 0 || !still_counts(s, e, i, &counted)) continue;
+    if (before->remaining[i] == 0 || s->at[i] >= places_of(e) || !still_counts(s, e, i, &counted)) continue;
     collect_tour(e, s, outcome, i, before->remaining[i], passed);
     if (before->remaining[i] == passed) qtr_places_add(&counted, qtr_targets_tour(&e->targets, s->at[i])->target);
   }
@@ -267,18 +315,21 @@ static bool pass_once(const qtr_environment *e, qtr_situation *s, qtr_outcome *o
   qtr_places arrived;
   qtr_places_clear(&arrived);
   const qtr_steps passed = qtr_joint_advance(&s->joint, &e->board, &arrived);
-  if (passed == 0) return false;
-  qtr_objective_wait(&e->game->objective, outcome, s->unvisited, passed);
+  if (passed == 0) {
+    qtr_objective_end(&e->game->objective, outcome, s->unvisited);
+    return false;
+  }
+  qtr_objective_wait(&e->game->objective, outcome, s->unvisited, qtr_game_seekers_out(e->game, &before), passed);
   collect_all(e, s, outcome, &before, &arrived, passed);
   for (unsigned i = 0; i < e->board.seekers; i++)
     if (before.remaining[i] > 0) settle_seeker(e, s, i, passed);
+  outcome->reward += qtr_game_leave(e->game, &before, &s->joint, passed);
   qtr_objective_pass(&e->game->objective, outcome, passed);
-  s->now += passed;
   return true;
 }
 
 void qtr_environment_pass(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome) {
-  qtr_objective_begin(outcome, s->now);
+  qtr_objective_begin(outcome, s->joint.now);
   while (qtr_joint_chooser(&s->joint, &e->board) == QTR_NOBODY)
     if (!pass_once(e, s, outcome)) return;
 }

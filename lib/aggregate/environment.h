@@ -11,27 +11,28 @@
 
 struct qtr_environment {
   const qtr_game *game;
+  bool aggregated;
   qtr_targets targets;
   qtr_sight sight;
-  qtr_board board;                                   /* the joint game over the targets */
-  qtr_key_shape keys;                                /* of what is seen of it */
-  uint8_t reach[4 * QTR_MAX_NODES * QTR_MAX_PLACES]; /* the board's travel times: the longest between targets */
+  qtr_board board;    /* the joint game over the targets */
+  qtr_key_shape keys; /* of what is seen of it */
+  uint8_t *reach; /* aggregated: the board's travel times, the longest between targets; behind all else in the block */
 };
 
 /* A moment. */
 typedef struct {
   qtr_joint joint;                /* over the targets */
-  qtr_steps now;                  /* since the start */
   double unvisited;               /* probability of the places left */
   uint16_t at[QTR_MAX_SEEKERS];   /* idle: the node where it is; on its way: the first place of its tour */
   qtr_walk walk[QTR_MAX_SEEKERS]; /* with regions: where it truly is */
 } qtr_situation;
 
-/* The first situation. */
+/* The first situation. Time passes in it, by qtr_environment_pass(), where nobody is ready from the start. */
 void qtr_environment_start(const qtr_environment *environment, qtr_situation *situation);
 
 /* `seeker`, whose turn it is, makes an allowed choice: a target, or to stand down. Returns the reward of a place at no
- * distance. Nothing happens, and 0, for a seeker or target that is none or has no way. */
+ * distance, less the ways home of those who have nothing left to choose. Nothing happens, and 0, for a seeker or target
+ * that is none or has no way. */
 double qtr_environment_choose(const qtr_environment *environment, qtr_situation *situation, int seeker,
                               uint16_t choice);
 
@@ -41,8 +42,9 @@ void qtr_environment_pass(const qtr_environment *environment, qtr_situation *sit
 /* The key of a situation in the Q-table. */
 void qtr_environment_key(const qtr_environment *environment, const qtr_situation *situation, qtr_key *key);
 
-/* Likelihood for a step of the way: a target's, from a node, by exact times; 0 if there is no way, node or target. */
-double qtr_environment_rate(const qtr_environment *environment, unsigned node, unsigned target);
+/* Likelihood for a step of the way: a target's, for a seeker at a node, by exact times; 0 if there is no way, seeker,
+ * node or target. */
+double qtr_environment_rate(const qtr_environment *environment, unsigned seeker, unsigned node, unsigned target);
 
 /* The place at which the seeker on its way, or idle, will next be free; a node. QTR_STAND_DOWN for a seeker that is
  * none. */

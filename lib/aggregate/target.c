@@ -58,7 +58,8 @@ static void plan_tours_from(qtr_targets *t, unsigned node, uint8_t order) {
 
 /* ---- targets ---- */
 
-/* Spots of one place each: their tours are a visit long, and the game is the ground's own. */
+/* Spots of one place each: their tours are a visit long, and the game is the ground's own. Whether there is a way
+ * depends on who goes, and only travel times tell. */
 void qtr_targets_places(qtr_targets *t, const qtr_game *game) {
   begin(t, game);
   t->count = t->spots.count = game->board.places;
@@ -66,8 +67,10 @@ void qtr_targets_places(qtr_targets *t, const qtr_game *game) {
     t->spots.spot_of[place] = place;
     t->spots.size[place] = 1;
     t->spots.place[place][0] = place;
+    t->tour[place] = (qtr_tour){.target = place, .places = 1, .place = {place}};
+    for (unsigned node = 0; node < nodes_of(t); node++)
+      t->first[(size_t)node * t->count + place] = node == place ? QTR_STAND_DOWN : place;
   }
-  for (unsigned node = 0; node < nodes_of(t); node++) plan_tours_from(t, node, QTR_SPOT_BEST);
 }
 
 int qtr_targets_spots(qtr_targets *t, const qtr_game *game, const qtr_spots_config *config, uint8_t order) {
@@ -97,5 +100,6 @@ qtr_steps qtr_targets_duration(const qtr_targets *t, unsigned seeker, unsigned n
   if (first == QTR_STAND_DOWN) return QTR_NEVER;
   /* A tour is known by its first place, which is one of the target's own. */
   QTR_ASSERT(t->tour[first].places > 0 && t->tour[first].target == target);
-  return qtr_board_steps(&t->game->board, seeker, node, first) + qtr_tour_length(&t->tour[first]);
+  const qtr_steps way = qtr_board_steps(&t->game->board, seeker, node, first);
+  return way == QTR_NEVER ? QTR_NEVER : way + qtr_tour_length(&t->tour[first]);
 }

@@ -18,7 +18,7 @@ qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direct
 }
 
 uint32_t qtr_grid_size(uint32_t cells, uint8_t encoding) {
-  return (encoding == QTR_GRID_BYTES) ? cells : ((cells / 8u) + ((cells % 8u) > 0u));
+  return (encoding != QTR_GRID_BITS) ? cells : ((cells / 8u) + ((cells % 8u) > 0u));
 }
 
 /* Right and bottom are the first column and row that are out: a box that holds nothing is all 0, and none that holds a

@@ -22,7 +22,10 @@ static const char *const texts[] = {"success",
                                     "the table's travel times contradict one another, or leave a place out of reach",
                                     "the table's value, bound and gap are no numbers, or contradict one another",
                                     "stopped before the work was done",
-                                    "the save is torn, or of another robot or table"};
+                                    "the save is torn, or of another robot or table",
+                                    "a class of robots is out of its ranges",
+                                    "a place's looks or detection are out of their ranges",
+                                    "no seeker can search any place in the time that there is"};
 
 uint32_t qtr_version(void) {
   return QTR_VERSION;

@@ -44,12 +44,14 @@ static void certified_run(qtr_learner *learner) {
   /* Half of the gap: the other half takes up what rounding adds on the way back to the first state. */
   const double hopeless = qtr_certificate_within(learner, 0.5);
   qtr_situation state;
-  double earned = 0.0;
-  double discount = 1.0;
+  qtr_outcome first; /* until somebody is ready: of no time where one is from the start */
   double value = 0.0;
   int seeker;
   qtr_play_begin(&learner->play);
   qtr_environment_start(learner->environment, &state);
+  qtr_environment_pass(learner->environment, &state, &first);
+  double earned = first.reward;
+  double discount = first.discount;
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     qtr_episode_list(learner, &state, seeker);
     const unsigned picked = qtr_episode_greedy(&learner->candidates);
@@ -63,7 +65,7 @@ static void certified_run(qtr_learner *learner) {
     earned += discount * (trace->at_once + trace->outcome.reward);
     discount *= trace->outcome.discount;
   }
-  const double upper = back_up_all(learner, value);
+  const double upper = first.reward + first.discount * back_up_all(learner, value);
   /* A game played to its end is what some policy earns: Q(s0, a) >= Q* is no less. */
   QTR_ASSERT(seeker != QTR_NOBODY || qtr_certificate_bounds(upper, earned));
   if (upper < learner->upper) learner->upper = upper;

@@ -23,9 +23,11 @@ static void back_up_last(qtr_learner *learner, double value) {
  * stopped. What was learnt until then stays. */
 static bool run_exploring_episode(qtr_learner *learner) {
   qtr_situation state;
+  qtr_outcome first;
   int seeker;
   qtr_play_begin(&learner->play);
   qtr_environment_start(learner->environment, &state);
+  qtr_environment_pass(learner->environment, &state, &first);
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     if (!learner_may_go_on(learner)) return false;
     qtr_episode_list(learner, &state, seeker);
@@ -44,9 +46,11 @@ static bool run_exploring_episode(qtr_learner *learner) {
  * best one, whatever was played before, for the setting is to show what it learns by itself. */
 static void play_greedily(qtr_learner *learner) {
   qtr_situation state;
+  qtr_outcome first;
   int seeker;
   qtr_play_begin(&learner->play);
   qtr_environment_start(learner->environment, &state);
+  qtr_environment_pass(learner->environment, &state, &first);
   while ((seeker = qtr_joint_chooser(&state.joint, &learner->environment->board)) != QTR_NOBODY) {
     if (!learner_may_go_on(learner)) return;
     qtr_episode_list(learner, &state, seeker);

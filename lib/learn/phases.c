@@ -58,7 +58,7 @@ static void play_aggregate_by_rate(qtr_learner *learner) {
     qtr_joint_choices(&state.joint, &environment->board, seeker, &choices);
     for (uint16_t target = 0; target < environment->targets.count; target++) {
       if (!qtr_places_has(&choices, target)) continue;
-      const double rate = qtr_environment_rate(environment, state.at[seeker], target);
+      const double rate = qtr_environment_rate(environment, (unsigned)seeker, state.at[seeker], target);
       if (rate <= best) continue;
       best = rate;
       choice = target;
@@ -80,12 +80,10 @@ static void play_first(qtr_learner *learner) {
 }
 
 /* The public header's sizes hold what stands in the workspace. */
-typedef char learner_fits[sizeof(qtr_learner) + QTR_BOUND_SLOTS * QTR_MAX_PLACES * sizeof(qtr_gain) <= QTR_LEARNER_BYTES
-                              ? 1
-                              : -1];
+typedef char learner_fits[sizeof(qtr_learner) + QTR_GAINS_BYTES(QTR_MAX_CLASSES) <= QTR_LEARNER_BYTES ? 1 : -1];
 
 size_t qtr_learner_bytes(const qtr_game *game) {
-  return sizeof(qtr_learner) + qtr_bound_bytes(game);
+  return sizeof(qtr_learner) + qtr_gains_bytes(game);
 }
 
 static int check_blocks(const qtr_learner_blocks *blocks, const qtr_game *game) {
@@ -94,7 +92,7 @@ static int check_blocks(const qtr_learner_blocks *blocks, const qtr_game *game) 
 }
 
 static void begin_prices(qtr_learner *learner, const qtr_environment *environment) {
-  qtr_bound_init(&learner->bound, (qtr_gain *)(learner + 1), environment, learner->best.visit);
+  qtr_bound_init(&learner->bound, learner + 1, environment, learner->best.visit);
   learner->upper = learner->bound.upper;
 }
 

@@ -1,5 +1,8 @@
 #include "robot/board.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "quarter/status.h"
 
 /* Places first, then starts: a place's number is its node, and no table of the two is needed. */
@@ -7,16 +10,41 @@ unsigned qtr_board_nodes(const qtr_board *board) {
   return (unsigned)board->places + board->starts;
 }
 
-/* The copy that is called. */
+/* The copies that are called. */
+extern inline qtr_steps qtr_load_steps(const uint8_t *times, unsigned bytes, uint32_t i);
+extern inline qtr_steps qtr_steps_of_class(const qtr_board *board, unsigned of_class, unsigned node, unsigned place);
 extern inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place);
 
+unsigned qtr_board_classes(const qtr_board *board) {
+  return (QTR_TERMS && (board->terms.classes > 1u)) ? board->terms.classes : 1u;
+}
+
 /* No way, for numbers that are none: who asks out of range goes nowhere, and reads nothing. */
-qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
-  if (((seeker >= board->seekers) && (seeker != QTR_ANY_SEEKER)) || (node >= qtr_board_nodes(board)) ||
-      (place >= board->places)) {
+qtr_steps qtr_board_class_steps(const qtr_board *board, unsigned of_class, unsigned node, unsigned place) {
+  if ((of_class >= qtr_board_classes(board)) || (node >= qtr_board_nodes(board)) || (place >= board->places)) {
     return QTR_NEVER;
   }
-  return qtr_steps_between(board, seeker, node, place);
+  return qtr_steps_of_class(board, of_class, node, place);
+}
+
+qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
+  if (seeker >= board->seekers) {
+    return QTR_NEVER;
+  }
+  return qtr_board_class_steps(board, QTR_TERMS ? board->terms.class_of[seeker] : 0u, node, place);
+}
+
+qtr_steps qtr_board_ready(const qtr_board *board, unsigned seeker) {
+  return (QTR_TERMS && (board->terms.ready != NULL)) ? qtr_load32(board->terms.ready + (4u * seeker)) : 0u;
+}
+
+qtr_steps qtr_board_end(const qtr_board *board, unsigned seeker) {
+  return (QTR_TERMS && (board->terms.end != NULL)) ? qtr_load32(board->terms.end + (4u * seeker)) : QTR_NEVER;
+}
+
+qtr_steps qtr_board_home(const qtr_board *board, unsigned seeker, unsigned place) {
+  QTR_ASSERT((board->terms.home != NULL) && (seeker < board->seekers) && (place < board->places));
+  return qtr_load_steps(board->terms.home, board->step_bytes, ((uint32_t)seeker * board->places) + place);
 }
 
 /* A seat is a start's number and not a cell, for who sets out together starts at one node. */
@@ -59,19 +87,55 @@ static int check_seats(const qtr_board *board) {
   return QTR_OK;
 }
 
-/* The base of the digit that a key has for steps that remain; QTR_NEVER is no way and gets no digit. */
+/* The base of the digit that a key has for steps that remain, on the way or until a seeker is ready; QTR_NEVER is no
+ * way and gets no digit. */
 static qtr_steps find_longest(const qtr_board *board) {
-  const unsigned nodes = qtr_board_nodes(board);
+  const uint32_t times = (uint32_t)qtr_board_classes(board) * qtr_board_nodes(board) * board->places;
   qtr_steps longest = 0;
-  for (unsigned node = 0; node < nodes; node++) {
-    for (unsigned place = 0; place < board->places; place++) {
-      const qtr_steps steps = qtr_board_steps(board, QTR_ANY_SEEKER, node, place);
-      if ((steps != QTR_NEVER) && (steps > longest)) {
-        longest = steps;
-      }
+  for (uint32_t i = 0; i < times; i++) {
+    const qtr_steps steps = qtr_load_steps(board->steps, board->step_bytes, i);
+    if ((steps != QTR_NEVER) && (steps > longest)) {
+      longest = steps;
+    }
+  }
+  for (unsigned i = 0; i < board->seekers; i++) {
+    if (qtr_board_ready(board, i) > longest) {
+      longest = qtr_board_ready(board, i);
     }
   }
   return longest;
+}
+
+#if QTR_TERMS
+static bool are_alike(const qtr_board *board, unsigned i, unsigned other) {
+  if (board->terms.class_of[i] != board->terms.class_of[other]) {
+    return false;
+  }
+  return !board->terms.by_home || ((board->start_of[i] == board->start_of[other]) &&
+                                   (qtr_board_ready(board, i) == qtr_board_ready(board, other)));
+}
+#endif
+
+/* A kind goes by the lowest number of those that are of it. */
+static void find_kinds(qtr_board *board) {
+  for (unsigned i = 0; i < board->seekers; i++) {
+    unsigned kind = 0;
+#if QTR_TERMS
+    while (!are_alike(board, i, kind)) {
+      kind++;
+    }
+#endif
+    board->keys.kind[i] = (uint8_t)kind;
+  }
+}
+
+static int check_terms(const qtr_board *board) {
+  for (unsigned i = 0; i < board->seekers; i++) {
+    if (QTR_TERMS && (board->terms.class_of[i] >= qtr_board_classes(board))) {
+      return QTR_ERR_ARGUMENT;
+    }
+  }
+  return QTR_OK;
 }
 
 int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
@@ -82,16 +146,17 @@ int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
   if (status == QTR_OK) {
     status = check_seats(board);
   }
+  if (status == QTR_OK) {
+    status = check_terms(board);
+  }
   if (status != QTR_OK) {
     return status;
   }
   board->keys.places = board->places;
   board->keys.nodes = (uint16_t)qtr_board_nodes(board);
   board->keys.seekers = board->seekers;
-  board->keys.clock = 0; /* the rules ask no clock what is allowed */
-  for (unsigned i = 0; i < board->seekers; i++) {
-    board->keys.kind[i] = 0; /* all travel alike */
-  }
+  board->keys.clock = QTR_TERMS ? board->terms.clock : 0u;
+  find_kinds(board);
   board->keys.longest = find_longest(board);
   /* Sums over a whole game must fit qtr_steps: told by the upper halves, which need no wider numbers. */
   if ((((board->keys.longest >> 16) + 1u) * (board->places + 1u)) > 0xFFFFu) {

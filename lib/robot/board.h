@@ -7,19 +7,36 @@
 #include "quarter/board.h"
 #include "quarter/status.h"
 
-/* qtr_board_steps() for what is known to lie in its ranges. */
-inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
-  (void)seeker; /* all travel alike */
-  /* A seeker stands on a node of the board, and goes to one of its places. */
-  QTR_ASSERT(((seeker < board->seekers) || (seeker == QTR_ANY_SEEKER)) &&
-             (node < ((unsigned)board->places + board->starts)) && (place < board->places));
-  const uint8_t *at = board->steps + (board->step_bytes * (((uint32_t)node * board->places) + place));
-  if (board->step_bytes == 4u) {
+/* Number `i` of times of so many bytes each. */
+inline qtr_steps qtr_load_steps(const uint8_t *times, unsigned bytes, uint32_t i) {
+  const uint8_t *at = times + (bytes * i);
+  if (bytes == 4u) {
     return qtr_load32(at);
   }
-  const uint32_t steps = (board->step_bytes == 1u) ? at[0] : qtr_load16(at);
-  return (steps == ((board->step_bytes == 1u) ? 0xFFu : 0xFFFFu)) ? QTR_NEVER : steps;
+  const uint32_t steps = (bytes == 1u) ? at[0] : qtr_load16(at);
+  return (steps == ((bytes == 1u) ? 0xFFu : 0xFFFFu)) ? QTR_NEVER : steps;
 }
+
+/* qtr_board_class_steps() for what is known to lie in its ranges. */
+inline qtr_steps qtr_steps_of_class(const qtr_board *board, unsigned of_class, unsigned node, unsigned place) {
+  const uint32_t nodes = (uint32_t)board->places + board->starts;
+  /* A seeker stands on a node of the board, and goes to one of its places. */
+  QTR_ASSERT((node < nodes) && (place < board->places));
+  const uint32_t row = (QTR_TERMS ? (of_class * nodes) : 0u) + node;
+  return qtr_load_steps(board->steps, board->step_bytes, (row * board->places) + place);
+}
+
+/* qtr_board_steps() likewise. */
+inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
+  QTR_ASSERT(seeker < board->seekers);
+  return qtr_steps_of_class(board, QTR_TERMS ? board->terms.class_of[seeker] : 0u, node, place);
+}
+
+/* Step from which a seeker is in the game; by which it must be home, QTR_NEVER if ever; and its way home from a
+ * node. */
+qtr_steps qtr_board_ready(const qtr_board *board, unsigned seeker);
+qtr_steps qtr_board_end(const qtr_board *board, unsigned seeker);
+qtr_steps qtr_board_home(const qtr_board *board, unsigned seeker, unsigned place);
 
 /* Whether a board's numbers, without its seats and travel times, are in their ranges: QTR_OK; QTR_ERR_LIMIT,
  * QTR_ERR_ARGUMENT. */

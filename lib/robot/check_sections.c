@@ -11,7 +11,7 @@ static bool spare_is_clear(const qtr_policy *policy) {
   if (is_format_1(policy->format)) {
     return (bytes[QTR_POLICY_STEP_BYTES] == 0u) && (qtr_load32(bytes + QTR_POLICY_STEP_TIME) == 0u);
   }
-  for (unsigned at = QTR_POLICY_SPARE; at < QTR_POLICY_HEADER_BYTES; at++) {
+  for (unsigned at = QTR_POLICY_FOUND; at < QTR_POLICY_HEADER_BYTES; at++) {
     if (bytes[at] != 0u) {
       return false;
     }

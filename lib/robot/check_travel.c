@@ -3,7 +3,7 @@
 #include "robot/checks.h"
 
 static bool is_way(const qtr_policy *policy, unsigned node, unsigned place) {
-  return qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place) != QTR_NEVER;
+  return qtr_board_class_steps(&policy->board, 0, node, place) != QTR_NEVER;
 }
 
 /* The first place that a node reaches; `places` if there is none. */
@@ -37,7 +37,7 @@ static bool times_fit_cells(const qtr_policy *policy, unsigned node) {
   const unsigned places = policy->board.places;
   for (unsigned place = 0; place < places; place++) {
     const bool is_here = qtr_policy_cell(policy, node) == qtr_policy_cell(policy, place);
-    if (is_here != (qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place) == 0u)) {
+    if (is_here != (qtr_board_class_steps(&policy->board, 0, node, place) == 0u)) {
       return false;
     }
     if (is_here && (node < places) && (node != place)) {

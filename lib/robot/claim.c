@@ -9,7 +9,7 @@
 static const struct {
   uint8_t figure_at; /* in the header */
   bool less_is_better;
-} objectives[] = {{QTR_POLICY_VALUE, false}, {QTR_POLICY_TIME, true}};
+} objectives[] = {{QTR_POLICY_VALUE, false}, {QTR_POLICY_TIME, true}, {QTR_POLICY_FOUND, false}};
 
 /* An objective of a later version is refused and not guessed at: nobody could say what its bound bounds. */
 bool qtr_claim_knows(uint8_t objective) {

@@ -12,44 +12,99 @@ static bool is_idle(const qtr_joint *joint, unsigned seeker) {
   return (joint->node[seeker] != QTR_STAND_DOWN) && (joint->remaining[seeker] == 0u);
 }
 
+/* Idle, or not yet ready: bound for nothing. */
+static bool is_waiting(const qtr_joint *joint, const qtr_board *board, unsigned seeker) {
+  if (QTR_TERMS && (joint->node[seeker] >= board->places) && (joint->node[seeker] != QTR_STAND_DOWN)) {
+    return true;
+  }
+  return is_idle(joint, seeker);
+}
+
 /* For numbers from outside, too. */
 static bool can_choose(const qtr_joint *joint, const qtr_board *board, int seeker) {
   return (seeker >= 0) && (seeker < board->seekers) && is_idle(joint, (unsigned)seeker);
 }
 
-static bool is_open(const qtr_joint *joint, unsigned place, bool follows) {
-  return !place_is_in(&joint->visited, place) && (follows || !place_is_in(&joint->bound, place));
+/* Whether a seeker can be at a place from its next node and free moment on, and home in time. */
+static bool is_feasible(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place) {
+  const qtr_steps steps = qtr_steps_between(board, seeker, joint->node[seeker], place);
+  if (!QTR_TERMS || (steps == QTR_NEVER) || (board->terms.end == NULL)) {
+    return steps != QTR_NEVER;
+  }
+  const qtr_steps home = qtr_board_home(board, seeker, place);
+  const qtr_steps end = qtr_board_end(board, seeker);
+  return (home != QTR_NEVER) && ((joint->now + joint->remaining[seeker] + steps + home) <= end);
 }
 
-/* The places that an idle seeker may choose, added to `choices` (may be NULL: then only the answer counts), and whether
- * there are any. By Table 1 those that others are bound for come in when fewer places than seekers are left; so too
- * when a seeker has no others within its reach. */
-static bool find_choices(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices) {
-  const unsigned most = (board->rule == QTR_RULE_PAPER) ? 1u : 0u;
-  bool any = false;
-  for (unsigned follows = (joint->unvisited < board->seekers) ? most : 0; (follows <= most) && !any; follows++) {
-    for (unsigned place = 0; place < board->places; place++) {
-      if (!is_open(joint, place, follows > 0u)) {
-        continue;
-      }
-      if (qtr_steps_between(board, seeker, joint->node[seeker], place) == QTR_NEVER) {
-        continue;
-      }
-      if (choices == NULL) {
-        return true;
-      }
-      place_put(choices, place);
-      any = true;
+static bool is_out(const qtr_joint *joint, unsigned seeker) {
+  return joint->node[seeker] == QTR_STAND_DOWN;
+}
+
+static bool is_alone(const qtr_joint *joint, const qtr_board *board) {
+  unsigned in = 0;
+  for (unsigned i = 0; i < board->seekers; i++) {
+    in += is_out(joint, i) ? 0u : 1u;
+  }
+  return in == 1u;
+}
+
+/* Whether a look at the same place comes before this one and has not been made. */
+static bool has_look_before(const qtr_joint *joint, const qtr_board *board, unsigned place) {
+  const uint32_t of = qtr_load16(board->terms.look_of + (2u * place));
+  for (unsigned other = 0; other < place; other++) {
+    if ((qtr_load16(board->terms.look_of + (2u * other)) == of) && !place_is_in(&joint->visited, other)) {
+      return true;
     }
+  }
+  return false;
+}
+
+static bool is_open(const qtr_joint *joint, const qtr_board *board, unsigned place, bool follows, bool lowest) {
+  if (place_is_in(&joint->visited, place) || (!follows && place_is_in(&joint->bound, place))) {
+    return false;
+  }
+  return !lowest || !has_look_before(joint, board, place);
+}
+
+/* The places that an idle seeker may choose of those that are open, added to `choices` (may be NULL: then only the
+ * answer counts), and whether there are any. */
+static bool find_open(const qtr_joint *joint, const qtr_board *board, unsigned seeker, bool follows,
+                      qtr_places *choices) {
+  const bool lowest = QTR_TERMS && (choices != NULL) && (board->terms.look_of != NULL) && is_alone(joint, board);
+  bool any = false;
+  for (unsigned place = 0; place < board->places; place++) {
+    if (!is_open(joint, board, place, follows, lowest) || !is_feasible(joint, board, seeker, place)) {
+      continue;
+    }
+    if (choices == NULL) {
+      return true;
+    }
+    place_put(choices, place);
+    any = true;
   }
   return any;
 }
 
-/* Nothing comes back within a seeker's reach later: whoever has nothing to choose is out of the game. */
+/* By Table 1 places that others are bound for come in when fewer places than seekers are left; so too when a seeker has
+ * no others within its reach. */
+static bool find_choices(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices) {
+  const bool may_follow = (board->rule == QTR_RULE_PAPER) && (joint->unvisited < board->seekers);
+  return find_open(joint, board, seeker, may_follow, choices) ||
+         ((board->rule == QTR_RULE_PAPER) && find_open(joint, board, seeker, true, choices));
+}
+
+static void stand_down_if_useless(qtr_joint *joint, const qtr_board *board, unsigned seeker) {
+  if (!find_choices(joint, board, seeker, NULL)) {
+    joint->node[seeker] = QTR_STAND_DOWN;
+  }
+}
+
+/* Nothing comes back within a seeker's reach later: whoever has nothing to choose is out of the game, be it ready or
+ * not. */
 static void stand_down_the_useless(qtr_joint *joint, const qtr_board *board) {
   for (unsigned i = 0; i < board->seekers; i++) {
-    if (is_idle(joint, i) && !find_choices(joint, board, i, NULL)) {
-      joint->node[i] = QTR_STAND_DOWN;
+    if (is_waiting(joint, board, i)) {
+      stand_down_if_useless(joint, board, i);
     }
   }
 }
@@ -77,9 +132,15 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *s
   for (unsigned i = 0; i < board->seekers; i++) {
     QTR_ASSERT(start_of[i] < board->starts); /* as qtr_board_init() and qtr_deployment_init() see to */
     joint->node[i] = (uint16_t)(board->places + start_of[i]);
-    joint->remaining[i] = 0;
+    joint->remaining[i] = qtr_board_ready(board, i);
   }
-  stand_down_the_useless(joint, board);
+  joint->now = 0;
+  /* Those who are not ready go with the first choice: then it is known what that costs. */
+  for (unsigned i = 0; i < board->seekers; i++) {
+    if (is_idle(joint, i)) {
+      stand_down_if_useless(joint, board, i);
+    }
+  }
 }
 
 /* Whether a seeker's turn comes before that of one with a lower number. */
@@ -102,16 +163,29 @@ int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board) {
   return chooser;
 }
 
-static bool other_can_reach(const qtr_joint *joint, const qtr_board *board, int seeker, unsigned place) {
+static bool other_can_visit(const qtr_joint *joint, const qtr_board *board, int seeker, unsigned place) {
   for (unsigned i = 0; i < board->seekers; i++) {
-    if (((int)i == seeker) || (joint->node[i] == QTR_STAND_DOWN)) {
-      continue;
-    }
-    if (qtr_steps_between(board, i, joint->node[i], place) != QTR_NEVER) {
+    if (((int)i != seeker) && !is_out(joint, i) && is_feasible(joint, board, i, place)) {
       return true;
     }
   }
   return false;
+}
+
+/* Where all are alike, whoever can reach one of these places can reach them all, for ways go both ways: then the first
+ * tells. */
+static bool others_can_visit(const qtr_joint *joint, const qtr_board *board, int seeker, const qtr_places *choices) {
+  const bool first_tells = !QTR_TERMS || ((qtr_board_classes(board) == 1u) && (board->terms.end == NULL));
+  for (unsigned place = 0; place < board->places; place++) {
+    if (!place_is_in(choices, place)) {
+      continue;
+    }
+    const bool can = other_can_visit(joint, board, seeker, place);
+    if (first_tells || !can) {
+      return can;
+    }
+  }
+  return true;
 }
 
 bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeker, qtr_places *choices) {
@@ -122,12 +196,7 @@ bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeke
   if (board->rule == QTR_RULE_PAPER) {
     return false;
   }
-  /* Ways go both ways, so whoever can reach one of these places can reach them all. */
-  unsigned place = 0;
-  while (!place_is_in(choices, place)) {
-    place++;
-  }
-  return other_can_reach(joint, board, seeker, place);
+  return (QTR_TERMS && board->terms.anyone_may_leave) || others_can_visit(joint, board, seeker, choices);
 }
 
 /* A place on the seeker's own cell takes no time: it is visited at once, and the seeker chooses again at the same
@@ -140,10 +209,11 @@ bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint
     joint->node[seeker] = QTR_STAND_DOWN;
     return false;
   }
-  const qtr_steps steps = qtr_board_steps(board, (unsigned)seeker, joint->node[seeker], choice);
-  if ((steps == QTR_NEVER) || place_is_in(&joint->visited, choice)) {
+  if ((choice >= board->places) || place_is_in(&joint->visited, choice) ||
+      !is_feasible(joint, board, (unsigned)seeker, choice)) {
     return false;
   }
+  const qtr_steps steps = qtr_steps_between(board, (unsigned)seeker, joint->node[seeker], choice);
   QTR_ASSERT(steps <= board->keys.longest); /* keys have room for the longest way and no longer one */
   joint->node[seeker] = choice;
   joint->remaining[seeker] = steps;
@@ -167,8 +237,33 @@ static qtr_steps least_remaining(const qtr_joint *joint, const qtr_board *board)
   return least;
 }
 
-/* To the next arrival, of one seeker or of several at once. Who follows another one to a place may find it visited:
- * then it just arrives. */
+/* Where a seeker is bound for comes up: a place, which it visits, or the moment at which it is ready, at its start. Who
+ * follows another one to a place may find it visited: then it just arrives. */
+static void arrive(qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *arrived) {
+  const unsigned node = joint->node[seeker];
+  if (QTR_TERMS && (node >= board->places)) {
+    return;
+  }
+  if (place_is_in(&joint->visited, node)) {
+    return;
+  }
+  visit(joint, node);
+  if (arrived != NULL) {
+    place_put(arrived, node);
+  }
+}
+
+/* Who is on its way is bound for a place, which the others know, though another may have visited it by now; or it is
+ * not ready. */
+static bool is_bound(const qtr_joint *joint, const qtr_board *board, unsigned seeker) {
+  const unsigned node = joint->node[seeker];
+  if (node >= board->places) {
+    return QTR_TERMS && (board->terms.ready != NULL);
+  }
+  return place_is_in(&joint->bound, node) || place_is_in(&joint->visited, node);
+}
+
+/* To the next arrival, of one seeker or of several at once. */
 qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places *arrived) {
   const qtr_steps least = least_remaining(joint, board);
   if ((joint->unvisited == 0u) || (least == QTR_NEVER)) {
@@ -178,18 +273,13 @@ qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places
     if (joint->remaining[i] == 0u) {
       continue;
     }
-    /* Who is on its way is bound for a place, which the others know; another may have visited it by now. */
-    QTR_ASSERT(joint->node[i] < board->places);
-    QTR_ASSERT(place_is_in(&joint->bound, joint->node[i]) || place_is_in(&joint->visited, joint->node[i]));
+    QTR_ASSERT(is_bound(joint, board, i));
     joint->remaining[i] -= least;
-    if ((joint->remaining[i] > 0u) || place_is_in(&joint->visited, joint->node[i])) {
-      continue;
-    }
-    visit(joint, joint->node[i]);
-    if (arrived != NULL) {
-      place_put(arrived, joint->node[i]);
+    if (joint->remaining[i] == 0u) {
+      arrive(joint, board, i, arrived);
     }
   }
+  joint->now += least;
   stand_down_the_useless(joint, board);
   return least;
 }

@@ -37,12 +37,13 @@ QTR_APART static unsigned put(qtr_key *key, unsigned at, uint32_t digit, unsigne
 
 /* From the lowest bit up: visited places, clock, seekers. What is to come depends on nothing else, so two ways to one
  * key are one state. A seeker that stood down is one node more, the last. */
-void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_key_shape *shape, qtr_steps clock) {
+void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_key_shape *shape) {
   for (unsigned w = 0; w < shape->words; w++) {
     key->word[w] = (w < QTR_PLACE_WORDS) ? joint->visited.word[w] : 0u;
   }
   /* Visited are places of the board's. */
   QTR_ASSERT((key->word[shape->places / 32u] >> (shape->places % 32u)) == 0u);
+  const qtr_steps clock = (joint->now < shape->clock) ? joint->now : shape->clock;
   const unsigned seekers_at = put(key, shape->places, clock, shape->clock_bits);
   const unsigned seeker_bits = (unsigned)shape->node_bits + shape->remaining_bits;
   /* No key is longer than was measured: the bits above it are the Q-table's. */

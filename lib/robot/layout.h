@@ -54,7 +54,8 @@ enum {
   QTR_POLICY_TOP = 130,         /* u16, rows above it */
   QTR_POLICY_MAP_COLUMNS = 132, /* u16, of the whole map */
   QTR_POLICY_MAP_ROWS = 134,    /* u16 */
-  QTR_POLICY_SPARE = 136, /* 24 of 0, for what later features need: deadline, end of the search, clock, looks, kinds */
+  QTR_POLICY_FOUND = 136,       /* IEEE 754 double, of a table with terms: probability of a find */
+  QTR_POLICY_SPARE = 144,       /* 16 of 0, for what later features need */
   QTR_POLICY_HEADER_BYTES = 160
 };
 

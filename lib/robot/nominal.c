@@ -26,7 +26,7 @@ static void make_key(qtr_key *key, const qtr_policy *policy, const qtr_joint *jo
   if (is_format_1(policy->format)) {
     (void)qtr_joint_key_1(key, joint, &policy->board.keys);
   } else {
-    qtr_joint_key(key, joint, &policy->board.keys, 0);
+    qtr_joint_key(key, joint, &policy->board.keys);
   }
 }
 

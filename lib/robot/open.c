@@ -1,5 +1,6 @@
 #include <stddef.h>
 
+#include "core/bytes.h"
 #include "core/crc.h"
 #include "quarter/digest.h"
 #include "quarter/policy.h"
@@ -70,6 +71,7 @@ static int read_dimensions(qtr_policy *policy) {
   policy->grid.encoding = bytes[QTR_POLICY_GRID];
   policy->records = qtr_load32(bytes + QTR_POLICY_RECORDS);
   policy->records_shape.bytes = 0; /* not known yet */
+  bytes_clear(&board->terms, sizeof board->terms);
   board->places = (uint16_t)qtr_load16(bytes + QTR_POLICY_PLACES);
   board->seekers = bytes[QTR_POLICY_SEEKERS];
   board->starts = (uint16_t)qtr_load16(bytes + QTR_POLICY_STARTS);

@@ -6,16 +6,15 @@
  *   C(t, j) = max(0, max over p of worth(p, t + d(j,p)) - price(p) + C(t + d(j,p), p)),
  *
  * with spots for p the target's tour, whose worth is that of its visits, and in the last term its end and exit; targets
- * allowed to repeat, but not to go straight back. For all prices, the sum of prices plus the seekers' C from their
- * starts is at least the optimum: in any play each place is visited first by one seeker, who pays its price. Under
- * expected time every place must be visited, so that prices of either sign will do, and worth(p, t) = -P t needs no
- * horizon; under discounting prices are at least 0, because a place might be left out (qtr_objective_needs_all()).
+ * allowed to repeat, but not to go straight back. Each kind of seekers has a C of its own: its times, the places that
+ * it can still be home from in time, and in place of 0 the cost of going home, -v (t + d(j, home)). For all prices, the
+ * sum of prices plus the seekers' C from their starts is at least the optimum: in any play each place is visited first
+ * by one seeker, who pays its price. Under expected time every place must be visited, so that prices of either sign
+ * will do, and worth(p, t) = -P t needs no horizon; else prices are at least 0, because a place might be left out
+ * (qtr_objective_needs_all()).
  *
  * The prices are tuned by subgradient steps: a place that the seekers' best walks visit more than once in all becomes
  * dearer, one that they leave out becomes cheaper.
- *
- * Time is cut into slots. Worth falls with time, so C at a slot's first step is good for the whole slot; past the last
- * slot everything left counts as collected at once. Both keep the bound valid and make it less tight.
  */
 #ifndef QUARTER_SEARCH_BOUND_H
 #define QUARTER_SEARCH_BOUND_H
@@ -26,15 +25,7 @@
 
 #include "aggregate/environment.h"
 #include "quarter/config.h"
-
-/* What a walk that comes to a place, the first of a target's tour, can collect, the tour included; and the target that
- * it goes on to. */
-typedef struct {
-  double best;    /* the best way on */
-  double second;  /* the best way on to any other target */
-  uint16_t to;    /* where the best goes on to; QTR_STAND_DOWN: it ends here */
-  uint16_t other; /* where the second goes on to */
-} qtr_gain;
+#include "search/gains.h"
 
 typedef struct {
   const qtr_environment *environment;
@@ -45,22 +36,14 @@ typedef struct {
   double scale;                 /* of the subgradient steps */
   uint32_t steps_without_gain;
   uint32_t iterations;
-  uint32_t slots;                                        /* in use */
-  qtr_steps slot_steps;                                  /* steps a slot */
-  qtr_steps travel[QTR_MAX_NODES * QTR_MAX_PLACES];      /* to places, as in the game, unpacked */
-  uint32_t slots_apart[QTR_MAX_PLACES * QTR_MAX_PLACES]; /* from a tour's first place to the next target's: in slots */
-  double late[QTR_MAX_PLACES];                           /* gains past the last slot */
-  qtr_gain *gain;                                        /* a row of places a slot */
+  qtr_gains gains;
 } qtr_bound;
 
-/* Bytes of the block that the gains of a game take. */
-size_t qtr_bound_bytes(const qtr_game *game);
-
 /* Start from a known play: the visits of each target's places set its price, the last visit sets the horizon. The
- * environment must be without regions and outlive the bound, as must the block, qtr_bound_bytes() aligned for a
+ * environment must be without regions and outlive the bound, as must the block, qtr_gains_bytes() aligned for a
  * qtr_gain. Stopped by the mission's watch, `upper` is what the nearest seekers could collect all at once: valid, and
  * not tight. */
-void qtr_bound_init(qtr_bound *bound, qtr_gain *gain, const qtr_environment *environment, const qtr_steps *visit);
+void qtr_bound_init(qtr_bound *bound, void *block, const qtr_environment *environment, const qtr_steps *visit);
 
 /* One subgradient step towards `goal`, the worth of the best play known. False when more steps are of no use; the best
  * prices are then in force. A stop changes nothing, and the step can be taken again. */

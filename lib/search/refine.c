@@ -6,26 +6,42 @@
 #include "model/rounding.h"
 #include "quarter/random.h"
 #include "quarter/status.h"
+#include "robot/board.h"
 
 #define SEGMENT_MOST 3 /* places that are moved together */
 #define WORTHLESS (-1e300)
 #define ROUNDING 1e-12 /* relative: more than adding up a route is wrong by */
 #define SHAKES_MOST 3  /* random moves in a round */
 
+/* What nobody visits is worth nothing, and takes until the end. */
+static qtr_route_score evaluate_left_out(const qtr_game *game, const uint16_t *places, unsigned length) {
+  qtr_route_score score = {0.0, 0.0};
+  for (unsigned i = 0; i < length; i++) score.time += game->probability[places[i]] * (double)game->objective.terms.end;
+  return score;
+}
+
 /* Under the free rule seekers do not hinder one another: a game's worth is the sum over its routes, each by itself. */
 qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length) {
-  if (seeker >= game->board.seekers) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
-  unsigned node = (unsigned)game->board.places + game->board.start_of[seeker];
+  const qtr_board *board = &game->board;
+  if (seeker == board->seekers && seeker < qtr_routes_count(game)) return evaluate_left_out(game, places, length);
+  if (seeker >= board->seekers) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
+  const qtr_steps end = qtr_board_end(board, seeker);
+  unsigned node = (unsigned)board->places + board->start_of[seeker];
   qtr_route_score score = {0.0, 0.0};
-  qtr_steps now = 0;
+  qtr_steps now = qtr_board_ready(board, seeker);
   for (unsigned i = 0; i < length; i++) {
-    const qtr_steps steps = qtr_board_steps(&game->board, seeker, node, places[i]);
+    const qtr_steps steps = qtr_board_steps(board, seeker, node, places[i]);
     if (steps == QTR_NEVER) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
     now += steps;
+    if (end != QTR_NEVER && now + qtr_board_home(board, seeker, places[i]) > end)
+      return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
     score.worth += qtr_game_worth(game, places[i], now);
     score.time += game->probability[places[i]] * (double)now;
     node = places[i];
   }
+  const double home = qtr_objective_leave(&game->objective, now + qtr_game_way_home(game, seeker, node));
+  score.worth += home;
+  score.time -= home;
   return score;
 }
 
@@ -189,12 +205,12 @@ static bool search_pair(qtr_refinery *r, qtr_routes *routes, const qtr_game *gam
 /* The first move found that betters is made. A local optimum of all these neighbourhoods at once is left only by
  * shaking. */
 static void descend(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
-  const unsigned seekers = game->board.seekers;
+  const unsigned count = qtr_routes_count(game);
   unsigned settled = 0;
   /* Round the pairs of routes until each has been seen since the last gain. */
-  for (unsigned pair = 0; settled < seekers * seekers; pair = (pair + 1) % (seekers * seekers)) {
+  for (unsigned pair = 0; settled < count * count; pair = (pair + 1) % (count * count)) {
     settled++;
-    while (search_pair(r, routes, game, pair / seekers, pair % seekers)) settled = 0;
+    while (search_pair(r, routes, game, pair / count, pair % count)) settled = 0;
   }
 }
 
@@ -207,9 +223,9 @@ static unsigned draw(qtr_refinery *r, unsigned below) {
 /* Take a few places out of one route and put them somewhere into another, better or not: against the score of a
  * worthless route every move is a gain. */
 static void shake(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
-  const unsigned seekers = game->board.seekers;
-  const unsigned first = draw(r, seekers);
-  const unsigned second = draw(r, seekers);
+  const unsigned count_of_routes = qtr_routes_count(game);
+  const unsigned first = draw(r, count_of_routes);
+  const unsigned second = draw(r, count_of_routes);
   const unsigned length = routes->length[first];
   if (length == 0) return;
   const unsigned from = draw(r, length);
@@ -226,7 +242,7 @@ static void shake(qtr_refinery *r, qtr_routes *routes, const qtr_game *game) {
 
 static qtr_route_score evaluate_all(qtr_routes *routes, const qtr_game *game) {
   qtr_route_score sum = {0.0, 0.0};
-  for (unsigned seeker = 0; seeker < game->board.seekers; seeker++) {
+  for (unsigned seeker = 0; seeker < qtr_routes_count(game); seeker++) {
     routes->score[seeker] = qtr_route_evaluate(game, seeker, routes->place[seeker], routes->length[seeker]);
     sum = sum_of(sum, routes->score[seeker]);
   }
@@ -238,7 +254,7 @@ static qtr_route_score evaluate_all(qtr_routes *routes, const qtr_game *game) {
 void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed) {
   r->random = seed * 0x9E3779B97F4A7C15u + 1u;
   /* Moves take places from route to route: what is no division at first never becomes one. */
-  QTR_ASSERT(qtr_routes_are_division(routes, game->board.seekers));
+  QTR_ASSERT(qtr_routes_are_division(routes, qtr_routes_count(game)));
   const qtr_route_score given = evaluate_all(routes, game);
   descend(r, routes, game);
   qtr_route_score best = evaluate_all(routes, game);

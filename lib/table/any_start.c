@@ -65,7 +65,8 @@ int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *aske
   any->board.steps = blocks->steps;
   set_starts(any);
   set_regions(any);
-  const uint16_t done = qtr_matrix_fill(blocks->steps, mission, blocks->start, sizes.starts, travel, NULL);
+  const qtr_matrix_nodes nodes = {mission, mission->places, NULL, blocks->start, sizes.starts};
+  const uint16_t done = qtr_matrix_fill(blocks->steps, &nodes, travel, NULL);
   return done < mission->places ? QTR_ERR_STOPPED : qtr_board_init(&any->board);
 }
 

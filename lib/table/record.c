@@ -10,7 +10,7 @@ void qtr_record_write(uint8_t *record, const qtr_joint *joint, const qtr_board *
   /* A record answers for the seeker whose turn it is. */
   QTR_ASSERT(qtr_joint_chooser(joint, board) != QTR_NOBODY);
   QTR_ASSERT(choice < board->places || choice == QTR_STAND_DOWN);
-  qtr_joint_key(&key, joint, &board->keys, 0);
+  qtr_joint_key(&key, joint, &board->keys);
   for (uint32_t i = 0; i < shape.key_bytes; i++) record[i] = bits_byte(key.word, i);
   if (shape.choice_bytes == 2)
     qtr_store16(record + shape.key_bytes, choice);

@@ -59,7 +59,7 @@ static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *dep
       visit[node] = now;
     }
   }
-  qtr_game_score(game, visit, &score);
+  qtr_game_score(game, visit, 0, &score);
   return score.worth;
 }
 

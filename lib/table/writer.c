@@ -179,7 +179,7 @@ static void write_travel(uint8_t *at, const qtr_board *board) {
   const uint8_t bytes = step_bytes_of(board);
   for (unsigned node = 0; node < qtr_board_nodes(board); node++) {
     for (unsigned place = 0; place < board->places; place++, at += bytes) {
-      const qtr_steps steps = qtr_board_steps(board, QTR_ANY_SEEKER, node, place);
+      const qtr_steps steps = qtr_board_class_steps(board, 0, node, place);
       for (unsigned i = 0; i < bytes; i++) at[i] = (uint8_t)(steps >> (8 * i) & 0xFFu);
     }
   }

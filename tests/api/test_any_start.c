@@ -282,7 +282,7 @@ static void test_mission_itself_is_played_as_certified(void) {
         node = place;
       }
     }
-    qtr_game_score(&game, play.visit, &play.score);
+    qtr_game_score(&game, play.visit, 0, &play.score);
     TEST_ASSERT_TRUE_MESSAGE(fabs(play.score.value - own_certificate.value) <= 1e-9 * own_certificate.value, case_note);
   }
 }

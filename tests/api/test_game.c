@@ -52,8 +52,8 @@ static void test_seekers_on_one_cell_share_a_start(void) {
   TEST_ASSERT_EQUAL(0, game.board.start_of[0]);
   TEST_ASSERT_EQUAL(1, game.board.start_of[1]);
   TEST_ASSERT_EQUAL(0, game.board.start_of[2]);
-  TEST_ASSERT_EQUAL_UINT32(2, qtr_board_steps(&game.board, QTR_ANY_SEEKER, 1, 0));
-  TEST_ASSERT_EQUAL_UINT32(2, qtr_board_steps(&game.board, QTR_ANY_SEEKER, 2, 0));
+  TEST_ASSERT_EQUAL_UINT32(2, qtr_board_steps(&game.board, 0, 1, 0));
+  TEST_ASSERT_EQUAL_UINT32(2, qtr_board_steps(&game.board, 0, 2, 0));
 }
 
 static void test_travel_times_are_those_of_the_map(void) {
@@ -68,7 +68,7 @@ static void test_travel_times_are_those_of_the_map(void) {
       for (unsigned place = 0; place < mission.places; place++) {
         const long way = steps[mission.place[place]];
         TEST_ASSERT_EQUAL_UINT32_MESSAGE(way < 0 ? QTR_NEVER : (qtr_steps)way,
-                                         qtr_board_steps(&game.board, QTR_ANY_SEEKER, node, place), case_note);
+                                         qtr_board_steps(&game.board, 0, node, place), case_note);
       }
     }
   }
@@ -105,13 +105,13 @@ static void test_score_gives_both_objectives(void) {
   qtr_score score;
   mission_draw(&mission, "1S.3");
   set_up();
-  qtr_game_score(&game, visit, &score);
+  qtr_game_score(&game, visit, 0, &score);
   near(10.0 * (0.25 * 0.99 * 0.99 + 0.75 * 0.99), score.value);
   near(0.25 * 3 + 0.75 * 2, score.expected_time);
   near(score.value, score.worth);
   mission.aim.kind = QTR_TIME;
   set_up();
-  qtr_game_score(&game, visit, &score);
+  qtr_game_score(&game, visit, 0, &score);
   near(-score.expected_time, score.worth);
 }
 
@@ -122,13 +122,13 @@ static void test_outcome_is_the_backup_of_one_choice(void) {
   set_up();
   near(0.0, qtr_game_choose(&game, &state, 0, 0));
   qtr_game_pass(&game, &state, &outcome);
-  TEST_ASSERT_EQUAL_UINT32(2, state.now);
+  TEST_ASSERT_EQUAL_UINT32(2, state.joint.now);
   near(0.75, state.unvisited);
   near(0.99 * 2.5, outcome.reward);
   near(0.99 * 0.99, outcome.discount);
   qtr_game_choose(&game, &state, 0, 1);
   qtr_game_pass(&game, &state, &outcome);
-  TEST_ASSERT_EQUAL_UINT32(7, state.now);
+  TEST_ASSERT_EQUAL_UINT32(7, state.joint.now);
   near(pow(0.99, 4) * 7.5, outcome.reward);
   near(pow(0.99, 5), outcome.discount);
 }
@@ -154,7 +154,7 @@ static void test_no_time_passes_while_another_is_to_choose(void) {
   set_up();
   qtr_game_choose(&game, &state, 0, 0);
   qtr_game_pass(&game, &state, &outcome);
-  TEST_ASSERT_EQUAL_UINT32(0, state.now);
+  TEST_ASSERT_EQUAL_UINT32(0, state.joint.now);
   near(0.0, outcome.reward);
   near(1.0, outcome.discount);
 }
@@ -168,7 +168,7 @@ static void test_outcome_runs_on_over_arrivals_without_a_choice(void) {
   qtr_game_pass(&game, &state, &outcome);
   qtr_game_choose(&game, &state, 1, 1);
   qtr_game_pass(&game, &state, &outcome);
-  TEST_ASSERT_EQUAL_UINT32(3, state.now);
+  TEST_ASSERT_EQUAL_UINT32(3, state.joint.now);
   near(2.5 * 0.99 + 7.5 * 0.99 * 0.99, outcome.reward);
   near(pow(0.99, 3), outcome.discount);
 }
@@ -179,7 +179,7 @@ static void test_place_on_the_start_is_rewarded_at_once(void) {
   set_up();
   near(7.5, qtr_game_choose(&game, &state, 0, 1));
   near(0.25, state.unvisited);
-  TEST_ASSERT_EQUAL_UINT32(0, state.now);
+  TEST_ASSERT_EQUAL_UINT32(0, state.joint.now);
   mission.aim.kind = QTR_TIME;
   set_up();
   near(0.0, qtr_game_choose(&game, &state, 0, 1));
@@ -240,7 +240,7 @@ static uint16_t choose_at_random(test_random *random, int seeker) {
 /* The step at which each place is seen to be visited. */
 static void note_visits(qtr_steps *visit) {
   for (unsigned place = 0; place < mission.places; place++)
-    if (visit[place] == QTR_NEVER && qtr_places_has(&state.joint.visited, place)) visit[place] = state.now;
+    if (visit[place] == QTR_NEVER && qtr_places_has(&state.joint.visited, place)) visit[place] = state.joint.now;
 }
 
 static double mass_left(void) {
@@ -253,9 +253,9 @@ static double mass_left(void) {
 /* When several arrivals fall into one outcome, `now` is the last one's: those before are found by the joint game. */
 static void pass_and_note(qtr_steps *visit) {
   qtr_joint joint = state.joint;
-  qtr_steps now = state.now;
+  qtr_steps now = state.joint.now;
   qtr_game_pass(&game, &state, &outcome);
-  while (now < state.now) {
+  while (now < state.joint.now) {
     qtr_places arrived;
     qtr_places_clear(&arrived);
     now += qtr_joint_advance(&joint, &game.board, &arrived);
@@ -283,7 +283,7 @@ static void test_rewards_of_any_play_add_up_to_its_score(void) {
       discount *= outcome.discount;
       TEST_ASSERT_TRUE_MESSAGE(fabs(mass_left() - state.unvisited) < 1e-12, case_note);
     }
-    qtr_game_score(&game, visit, &score);
+    qtr_game_score(&game, visit, 0, &score);
     TEST_ASSERT_TRUE_MESSAGE(fabs(earned - score.worth) <= 1e-9 * fmax(1.0, fabs(score.worth)), case_note);
   }
 }

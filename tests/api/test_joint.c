@@ -254,7 +254,7 @@ static void test_key_by_hand(void) {
   choose(0, 2);
   choose(1, 1);
   expect_advance(2, 2);
-  qtr_joint_key(&key, &joint, &board.keys, 0);
+  qtr_joint_key(&key, &joint, &board.keys);
   /* sorted: (place 1, 0 steps), (place 2, 4 steps); visited: place 1 */
   TEST_ASSERT_EQUAL_UINT32(1u << 14 | 0u << 10 | 2u << 7 | 4u << 3 | 2u, key.word[0]);
 }
@@ -276,7 +276,7 @@ static void test_largest_board_has_keys_within_the_array(void) {
   TEST_ASSERT_LESS_OR_EQUAL(32 * board.keys.words, board.keys.bits);
   TEST_ASSERT_GREATER_THAN(32 * (board.keys.words - 1), board.keys.bits);
   qtr_joint_start(&joint, &board, NULL, NULL);
-  qtr_joint_key(&key, &joint, &board.keys, 0);
+  qtr_joint_key(&key, &joint, &board.keys);
 }
 
 /* ---- against the rules written down a second time ---- */
@@ -400,7 +400,7 @@ static unsigned gather_states(test_random *random, unsigned most) {
       }
       memset(&pool[count].key, 0xA5, sizeof pool[count].key);
       pool[count].joint = joint;
-      qtr_joint_key(&pool[count++].key, &joint, &board.keys, 0);
+      qtr_joint_key(&pool[count++].key, &joint, &board.keys);
     }
   }
   return count;

@@ -24,7 +24,8 @@ static qtr_key make(qtr_steps clock, uint16_t one, uint16_t other) {
   memset(&key, 0, sizeof key);
   joint.node[0] = one;
   joint.node[1] = other;
-  qtr_joint_key(&key, &joint, &shape, clock);
+  joint.now = clock;
+  qtr_joint_key(&key, &joint, &shape);
   return key;
 }
 

@@ -122,7 +122,7 @@ static void test_gamma_outside_0_to_1(void) {
 }
 
 static void test_objective_or_rule_that_is_none(void) {
-  mission.aim.kind = 2;
+  mission.aim.kind = QTR_OBJECTIVES;
   expect(QTR_ERR_ARGUMENT, 0);
   setUp();
   mission.rule = 2;

@@ -22,9 +22,12 @@ static void test_default_aim_is_the_papers(void) {
 }
 
 static void test_aims_out_of_range_are_refused(void) {
-  const qtr_aim wrong[] = {{QTR_OBJECTIVES, 0.9}, {UINT8_MAX, 0.9},          {QTR_TIME, 0.0},
-                           {QTR_TIME, 1.0},       {QTR_DISCOUNTED, -0.5},    {QTR_DISCOUNTED, (double)NAN},
-                           {QTR_DISCOUNTED, 1.5}, {QTR_DISCOUNTED, HUGE_VAL}};
+  const qtr_aim wrong[] = {
+      {QTR_OBJECTIVES, 0.9, 0, 0.0}, {UINT8_MAX, 0.9, 0, 0.0},           {QTR_TIME, 0.0, 0, 0.0},
+      {QTR_TIME, 1.0, 0, 0.0},       {QTR_DISCOUNTED, -0.5, 0, 0.0},     {QTR_DISCOUNTED, (double)NAN, 0, 0.0},
+      {QTR_DISCOUNTED, 1.5, 0, 0.0}, {QTR_DISCOUNTED, HUGE_VAL, 0, 0.0}, {QTR_DEADLINE, 0.9, QTR_NEVER, 0.0},
+      {QTR_TIME, 0.9, 0, -1.0},      {QTR_TIME, 0.9, 0, (double)NAN},    {QTR_TIME, 0.9, 0, HUGE_VAL},
+      {QTR_DISCOUNTED, 0.9, 0, 1.0}, {QTR_DEADLINE, 0.9, 5, 1.0}};
   for (unsigned i = 0; i < sizeof wrong / sizeof wrong[0]; i++)
     TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, qtr_aim_check(&wrong[i]));
 }

@@ -17,7 +17,7 @@ void tearDown(void) {
 }
 
 static void discount(double gamma) {
-  qtr_objective_init(&objective, &(qtr_aim){QTR_DISCOUNTED, gamma});
+  qtr_objective_init(&objective, &(qtr_aim){.kind = QTR_DISCOUNTED, .gamma = gamma}, NULL);
 }
 
 /* A tour measured from its order alone: its worth, that of what waits until its end, and when it ends. */
@@ -181,7 +181,7 @@ static void test_no_tour_to_what_cannot_be_reached(void) {
   TEST_ASSERT_FALSE(qtr_spot_tour_best(&tour, &ground, 2, place, 2, QTR_SPOT_ANY_EXIT, 0.0, &scratch));
   discount(0.9);
   TEST_ASSERT_FALSE(qtr_spot_tour_best(&tour, &ground, 2, place, 2, 0, 0.0, &scratch));
-  qtr_objective_init(&objective, &(qtr_aim){QTR_TIME, 0.9});
+  qtr_objective_init(&objective, &(qtr_aim){.kind = QTR_TIME, .gamma = 0.9}, NULL);
   set_way(2, 0, 1);
   set_way(0, 1, QTR_NEVER); /* 0 can only be the last */
   TEST_ASSERT_FALSE(qtr_spot_tour_best(&tour, &ground, 2, place, 2, 1, 0.0, &scratch));

@@ -43,11 +43,14 @@ static void test_texts_say_what_their_codes_mean(void) {
   TEST_ASSERT_NOT_NULL(strstr(qtr_strerror(QTR_ERR_UNREACHABLE), "reached"));
   TEST_ASSERT_NOT_NULL(strstr(qtr_strerror(QTR_ERR_DISCOUNT), "discount"));
   TEST_ASSERT_NOT_NULL(strstr(qtr_strerror(QTR_ERR_SAVE), "save"));
+  TEST_ASSERT_NOT_NULL(strstr(qtr_strerror(QTR_ERR_CLASS), "class"));
+  TEST_ASSERT_NOT_NULL(strstr(qtr_strerror(QTR_ERR_LOOKS), "looks"));
+  TEST_ASSERT_NOT_NULL(strstr(qtr_strerror(QTR_ERR_HORIZON), "time"));
   TEST_ASSERT_NOT_NULL(strstr(qtr_strerror(QTR_ERR_NO_START), "no seeker"));
 }
 
 static void test_numbers_that_are_no_codes_are_unknown(void) {
-  static const int strangers[] = {1, 2, INT_MAX, INT_MIN, INT_MIN + 1, QTR_ERR_SAVE - 1, -1000};
+  static const int strangers[] = {1, 2, INT_MAX, INT_MIN, INT_MIN + 1, QTR_ERR_HORIZON - 1, -1000};
   for (unsigned i = 0; i < sizeof strangers / sizeof strangers[0]; i++)
     TEST_ASSERT_EQUAL_STRING("unknown status", qtr_strerror(strangers[i]));
 }

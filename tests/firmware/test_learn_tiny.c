@@ -19,7 +19,7 @@ enum { SIDE = 10, PLACES = 8, SEEKERS = 2, PRICE_STEPS = 16, MAPS = 40, STACK_MO
 static struct {
   qtr_mission mission;
   qtr_game game;
-  uint64_t ground[(QTR_ENVIRONMENT_BYTES + 7) / 8];
+  uint64_t ground[(QTR_ENVIRONMENT_GROUND_BYTES + 7) / 8];
   union {
     uint64_t bytes[(QTR_LEARNER_BYTES + 7) / 8];
     qtr_travel travel;

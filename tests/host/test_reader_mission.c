@@ -142,7 +142,7 @@ static void test_wrong_types_and_values(void) {
   refuse(HEAD "gamma: 1\n", "m.yaml:3", "'gamma' is 1", "a discount above 0 and below 1, such as 0.99");
   refuse(HEAD "gamma: 0\n", "m.yaml:3", "'gamma' is 0", "a discount above 0 and below 1, such as 0.99");
   refuse(HEAD "gamma: .nan\n", "m.yaml:3", "not a finite number", "give a number");
-  refuse(HEAD "objective: speed\n", "m.yaml:3", "'objective' is \"speed\"", "one of discounted and time");
+  refuse(HEAD "objective: speed\n", "m.yaml:3", "'objective' is \"speed\"", "one of discounted, time and deadline");
   refuse(HEAD "rule: [free]\n", "m.yaml:3", "'rule' is a list", "one of free and paper");
   refuse(HEAD "unknown: maybe\n", "m.yaml:3", "'unknown' is \"maybe\"", "one of blocked and free");
   refuse("map: a.txt\nrobots: 3\n", "m.yaml:2", "'robots' is not a list", "robots: [");

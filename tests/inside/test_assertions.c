@@ -58,13 +58,13 @@ static void test_what_is_in_order_does_not_end(void) {
 static void give_a_time_beyond_the_longest(void) {
   qtr_key key;
   joint.remaining[0] = policy.board.keys.longest + 1;
-  qtr_joint_key(&key, &joint, &policy.board.keys, 0);
+  qtr_joint_key(&key, &joint, &policy.board.keys);
 }
 
 static void give_a_place_beyond_the_last(void) {
   qtr_key key;
   joint.visited.word[0] |= 8;
-  qtr_joint_key(&key, &joint, &policy.board.keys, 0);
+  qtr_joint_key(&key, &joint, &policy.board.keys);
 }
 
 static void make_a_key_longer_than_was_measured(void) {
@@ -72,7 +72,7 @@ static void make_a_key_longer_than_was_measured(void) {
   qtr_key_shape shape = policy.board.keys;
   shape.bits = 3;
   set_out();
-  qtr_joint_key(&key, &joint, &shape, 0);
+  qtr_joint_key(&key, &joint, &shape);
 }
 
 static void measure_keys_of_nothing(void) {

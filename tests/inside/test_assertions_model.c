@@ -36,8 +36,8 @@ void tearDown(void) {
 
 static void discount_by_nothing(void) {
   qtr_objective objective;
-  const qtr_aim aim = {QTR_DISCOUNTED, 1.0};
-  qtr_objective_init(&objective, &aim);
+  const qtr_aim aim = {.kind = QTR_DISCOUNTED, .gamma = 1.0};
+  qtr_objective_init(&objective, &aim, NULL);
 }
 
 static void visit_before_the_stretch(void) {
@@ -54,7 +54,7 @@ static void earn_more_than_there_is(void) {
   const qtr_steps visit[3] = {1, 1, 1};
   qtr_score score;
   table_game.probability[0] += 0.1;
-  qtr_game_score(&table_game, visit, &score);
+  qtr_game_score(&table_game, visit, 0, &score);
 }
 
 static void speak_of_no_objective(void) {
@@ -124,7 +124,7 @@ static void test_likelihoods(void) {
 static void begin_a_tour_elsewhere(void) {
   qtr_targets *targets = &table_ground->targets;
   targets->first[3 * targets->count + 0] = 1;
-  qtr_targets_duration(targets, QTR_ANY_SEEKER, 3, 0);
+  qtr_targets_duration(targets, 0, 3, 0);
 }
 
 static void tour_a_place_twice(void) {

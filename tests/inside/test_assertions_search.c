@@ -30,7 +30,7 @@ void tearDown(void) {
 /* ---- the bound ---- */
 
 static void begin_bound(const qtr_environment *environment) {
-  qtr_bound_init(&table_learner->bound, table_learner->bound.gain, environment, play.visit);
+  qtr_bound_init(&table_learner->bound, table_learner->bound.gains.gain, environment, play.visit);
 }
 
 static void bound_a_place_in_two_targets(void) {
@@ -54,7 +54,7 @@ static void bound_ways_without_time(void) {
 }
 
 static void bound_walks_that_stand_still(void) {
-  table_learner->bound.slots_apart[1] = 0;
+  table_learner->bound.gains.slots_apart[1] = 0;
   qtr_bound_improve(&table_learner->bound, 0.0);
 }
 

@@ -80,7 +80,7 @@ static double bound_of(const qtr_joint *joint, qtr_steps now, double unvisited) 
   qtr_situation situation;
   memset(&situation, 0, sizeof situation);
   situation.joint = *joint;
-  situation.now = now;
+  situation.joint.now = now;
   situation.unvisited = unvisited;
   for (unsigned i = 0; i < mission.seekers; i++) situation.at[i] = joint->node[i];
   return qtr_bound_state(&bound, &situation);
@@ -160,7 +160,7 @@ static void test_bound_holds_over_long_times(void) {
     mission.aim.gamma = random_chance(&random, 50) ? 0.9999 : 0.99;
     set_up_game();
     check_game(&random);
-    coarse += bound.slot_steps > 1;
+    coarse += bound.gains.slot_steps > 1;
   }
   TEST_ASSERT_GREATER_THAN(1000, states_seen);
   TEST_ASSERT_GREATER_THAN(5, coarse);
@@ -176,8 +176,9 @@ static void test_time_past_the_last_slot_is_bounded_too(void) {
     play_at_random(&random, visit);
     qtr_bound_init(&bound, gains, ground, visit);
     /* Fewer slots than the search takes, as an array too small for it would hold. */
-    bound.slots = random_in(&random, 1, bound.slots);
-    for (unsigned place = 0; place < mission.places; place++) past += visit[place] >= bound.slots * bound.slot_steps;
+    bound.gains.slots = random_in(&random, 1, bound.gains.slots);
+    for (unsigned place = 0; place < mission.places; place++)
+      past += visit[place] >= bound.gains.slots * bound.gains.slot_steps;
     qtr_bound_settle(&bound);
     look_at_all_states();
   }

@@ -61,7 +61,7 @@ static uint16_t random_choice(test_random *random, const qtr_joint *joint, const
 static void expect_same_key(const qtr_situation *situation, const qtr_state *state) {
   qtr_key seen, true_key;
   qtr_environment_key(ground, situation, &seen);
-  qtr_joint_key(&true_key, &state->joint, &game.board.keys, 0);
+  qtr_joint_key(&true_key, &state->joint, &game.board.keys);
   TEST_ASSERT_EQUAL_MEMORY_MESSAGE(true_key.word, seen.word, 4u * game.board.keys.words, case_note);
 }
 
@@ -87,7 +87,7 @@ static void test_without_aggregation_it_is_the_game(void) {
       qtr_game_pass(&game, &state, &truth);
       TEST_ASSERT_TRUE_MESSAGE(fabs(seen.reward - truth.reward) <= 1e-12 * (1.0 + fabs(truth.reward)), case_note);
       TEST_ASSERT_TRUE_MESSAGE(fabs(seen.discount - truth.discount) <= 1e-15, case_note);
-      TEST_ASSERT_EQUAL_UINT32_MESSAGE(state.now, situation.now, case_note);
+      TEST_ASSERT_EQUAL_UINT32_MESSAGE(state.joint.now, situation.joint.now, case_note);
     }
   }
 }
@@ -103,7 +103,7 @@ static qtr_spots_config random_spots(test_random *random) {
 /* Steps of the visits, walked place by place. */
 static qtr_steps walk_tour(qtr_steps *visit, unsigned node, qtr_steps now, const qtr_tour *tour) {
   for (unsigned i = 0; i < tour->places; i++) {
-    now += qtr_board_steps(&game.board, QTR_ANY_SEEKER, node, tour->place[i]);
+    now += qtr_board_steps(&game.board, 0, node, tour->place[i]);
     if (visit[tour->place[i]] > now) visit[tour->place[i]] = now;
     node = tour->place[i];
   }
@@ -131,12 +131,12 @@ static void test_spots_earn_what_their_tours_earn_on_the_ground(void) {
       const unsigned from = situation.at[seeker];
       earned += discount * qtr_environment_choose(aggregate, &situation, seeker, choice);
       if (choice != QTR_STAND_DOWN)
-        walk_tour(visit, from, situation.now, &aggregate->targets.tour[situation.at[seeker]]);
+        walk_tour(visit, from, situation.joint.now, &aggregate->targets.tour[situation.at[seeker]]);
       qtr_environment_pass(aggregate, &situation, &outcome);
       earned += discount * outcome.reward;
       discount *= outcome.discount;
     }
-    qtr_game_score(&game, visit, &score);
+    qtr_game_score(&game, visit, 0, &score);
     TEST_ASSERT_TRUE_MESSAGE(fabs(earned - score.worth) <= 1e-9 * (1.0 + fabs(score.worth)), case_note);
     TEST_ASSERT_TRUE_MESSAGE(fabs(situation.unvisited) < 1e-9, case_note);
   }
@@ -149,7 +149,7 @@ static double try_spots(qtr_steps *visit, unsigned taken, unsigned seeker, unsig
   if (seeker == mission.seekers) {
     qtr_score score;
     if (taken + 1 != 1u << aggregate->targets.count) return best;
-    qtr_game_score(&game, visit, &score);
+    qtr_game_score(&game, visit, 0, &score);
     return score.worth;
   }
   const unsigned next = seeker + 1;
@@ -239,7 +239,7 @@ static void test_true_times_differ_between_the_cells_of_a_region(void) {
   qtr_environment_pass(aggregate, &situation, &outcome);
   /* 3 steps and then the 5 that are left: what is earned on the ground */
   TEST_ASSERT_DOUBLE_WITHIN(1e-12, pow(0.99, 2) * 2.5 + pow(0.99, 7) * 7.5, outcome.reward);
-  TEST_ASSERT_EQUAL_UINT32(8, situation.now);
+  TEST_ASSERT_EQUAL_UINT32(8, situation.joint.now);
 }
 
 /* Seeker 0 takes the place at cell 8 (7 steps from cell 1), seeker 1 the one at cell 3 (2 steps from cell 1). Seeker 1
@@ -257,7 +257,7 @@ static void test_an_aggregated_episode_by_hand(void) {
   qtr_environment_pass(aggregate, &situation, &outcome);
   /* Eq. 4.7: gamma^(tau - 1) R, R = w P = 10 / 4 for the place of weight 1 */
   TEST_ASSERT_DOUBLE_WITHIN(1e-12, 0.99 * 2.5 + pow(0.99, 2) * pow(0.99, 6) * 7.5, outcome.reward);
-  TEST_ASSERT_EQUAL_UINT32(2 + 7, situation.now);
+  TEST_ASSERT_EQUAL_UINT32(2 + 7, situation.joint.now);
 }
 
 static void test_cells_of_one_region_share_their_key_and_others_do_not(void) {

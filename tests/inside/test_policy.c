@@ -132,7 +132,7 @@ static void test_values_out_of_their_range_are_refused(void) {
 
 static void test_objective_that_is_none_is_refused(void) {
   make_table();
-  expect_field(QTR_ERR_CORRUPT, QTR_POLICY_OBJECTIVE, 2, 1);
+  expect_field(QTR_ERR_CORRUPT, QTR_POLICY_OBJECTIVE, 3, 1);
 }
 
 static void test_more_than_the_build_holds_is_refused(void) {
@@ -254,7 +254,7 @@ static void test_record_that_changes_the_game_is_refused(void) {
   uint32_t at = records_at();
   make_table();
   qtr_joint_start(&start, &policy.board, NULL, NULL);
-  qtr_joint_key(&key, &start, &policy.board.keys, 0);
+  qtr_joint_key(&key, &start, &policy.board.keys);
   TEST_ASSERT_EQUAL_UINT8(1, policy.board.keys.words);
   const qtr_record_shape shape = policy.records_shape;
   while (memcmp(table_bytes + at, key_bytes(&key), shape.key_bytes) != 0) at += shape.bytes;

@@ -12,7 +12,7 @@ static qtr_objective objective;
 static qtr_spot_ground ground;
 
 static inline void ground_begin(unsigned places) {
-  qtr_objective_init(&objective, &(qtr_aim){QTR_TIME, 0.99});
+  qtr_objective_init(&objective, &(qtr_aim){.kind = QTR_TIME, .gamma = 0.99}, NULL);
   ground = (qtr_spot_ground){(uint16_t)places, steps, mission.weight, &objective};
 }
 

@@ -15,7 +15,7 @@ static exact_solution solution;
 static fault why;
 
 void setUp(void) {
-  memset(&mission, 0, sizeof mission);
+  qtr_mission_default(&mission);
   memset(&solution, 0, sizeof solution);
   memset(&why, 0, sizeof why);
   mission.columns = 100;
@@ -44,7 +44,7 @@ static void corridor(int seekers, const int *starts, int places, const int *cell
 }
 
 static void solve(void) {
-  const int status = exact_solve(&solution, &mission, steps, &why);
+  const int status = exact_solve_plain(&solution, &mission, steps, &why);
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, status, why.text);
 }
 
@@ -142,14 +142,14 @@ static void test_paper_rule_costs_time_where_a_far_seeker_withholds_a_place(void
 static void test_place_that_nobody_reaches_is_named(void) {
   corridor(1, (int[]){5}, 2, (int[]){6, 7}, (double[]){1, 1});
   steps[0 * 2 + 1] = steps[1 * 2 + 1] = QTR_NEVER;
-  TEST_ASSERT_EQUAL_INT(-1, exact_solve(&solution, &mission, steps, &why));
+  TEST_ASSERT_EQUAL_INT(-1, exact_solve_plain(&solution, &mission, steps, &why));
   TEST_ASSERT_NOT_NULL(strstr(why.text, "place 1"));
 }
 
 static void test_one_way_streets_without_a_route_are_refused(void) {
   corridor(1, (int[]){5}, 2, (int[]){6, 7}, (double[]){1, 1});
   steps[1 * 2 + 1] = steps[2 * 2 + 0] = QTR_NEVER; /* either can be reached, but not one after the other */
-  TEST_ASSERT_EQUAL_INT(-1, exact_solve(&solution, &mission, steps, &why));
+  TEST_ASSERT_EQUAL_INT(-1, exact_solve_plain(&solution, &mission, steps, &why));
   TEST_ASSERT_NOT_NULL(strstr(why.text, "no routes"));
 }
 
@@ -161,14 +161,14 @@ static void test_too_many_places_are_refused_at_once_with_the_limit(void) {
     weights[p] = 1;
   }
   corridor(2, starts, 23, cells, weights);
-  TEST_ASSERT_EQUAL_INT(-1, exact_solve(&solution, &mission, steps, &why));
+  TEST_ASSERT_EQUAL_INT(-1, exact_solve_plain(&solution, &mission, steps, &why));
   TEST_ASSERT_NOT_NULL(strstr(why.text, "22 places"));
   corridor(3, starts, 19, cells, weights);
-  TEST_ASSERT_EQUAL_INT(-1, exact_solve(&solution, &mission, steps, &why));
+  TEST_ASSERT_EQUAL_INT(-1, exact_solve_plain(&solution, &mission, steps, &why));
   TEST_ASSERT_NOT_NULL(strstr(why.text, "18 for more"));
   mission.rule = QTR_RULE_PAPER;
   corridor(2, starts, 21, cells, weights);
-  TEST_ASSERT_EQUAL_INT(-1, exact_solve(&solution, &mission, steps, &why));
+  TEST_ASSERT_EQUAL_INT(-1, exact_solve_plain(&solution, &mission, steps, &why));
   TEST_ASSERT_NOT_NULL(strstr(why.text, "takes 20"));
 }
 
@@ -403,7 +403,7 @@ static void check_routes(const char *label) {
 static void compare(uint32_t seed) {
   char label[200];
   const double best = brute_force();
-  const int status = exact_solve(&solution, &mission, steps, &why);
+  const int status = exact_solve_plain(&solution, &mission, steps, &why);
   const double found = mission.aim.kind == QTR_TIME ? -solution.expected_time : solution.value;
   snprintf(label, sizeof label, "seed %lu, %d places, %d seekers, objective %d, rule %d: enumerated %.9f, solved %.9f",
            (unsigned long)seed, mission.places, mission.seekers, mission.aim.kind, mission.rule, best, found);

@@ -36,7 +36,7 @@ static void test_slips_in_a_mission(void) {
       {"robots: [{x: 0.5 y: 0.5}]\n", "m.yaml:2", "not valid YAML", "mend the line"},
       {"places: [{column: 3, row: 0, wieght: 2}]\n", "m.yaml:2", "unknown key 'wieght'", "did you mean 'weight'?"},
       {"places:\n", "m.yaml:2", "'places' is not a list", "places: [{x: 0.5"},
-      {"objective: fastest\n", "m.yaml:2", "'objective' is \"fastest\"", "discounted and time"},
+      {"objective: fastest\n", "m.yaml:2", "'objective' is \"fastest\"", "discounted, time and deadline"},
       {"places_csv: none.csv\n", "none.csv", "no such file", "named by m.yaml:2"}};
   for (size_t i = 0; i < sizeof slips / sizeof slips[0]; i++) {
     char mission[300];

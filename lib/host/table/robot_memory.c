@@ -68,6 +68,15 @@ static layout key_shape_of(const robot_sizes *sizes, const robot_processor *proc
   return l;
 }
 
+static layout terms_of(const robot_sizes *sizes, const robot_processor *processor) {
+  layout l = begin(processor);
+  put_pointers(&l, 4); /* ready, end, home, look_of */
+  put(&l, 1, 4);       /* clock */
+  put(&l, 3, 1);       /* classes, by_home, anyone_may_leave */
+  put(&l, sizes->of[ROBOT_SEEKERS], 1);
+  return l;
+}
+
 static layout board_of(const robot_sizes *sizes, const robot_processor *processor) {
   layout l = begin(processor);
   put(&l, 2, 2); /* places, starts */
@@ -75,6 +84,7 @@ static layout board_of(const robot_sizes *sizes, const robot_processor *processo
   put(&l, sizes->of[ROBOT_SEEKERS], 2);
   put(&l, 1, 1); /* step_bytes */
   put_pointers(&l, 1);
+  put_struct(&l, terms_of(sizes, processor));
   put_struct(&l, key_shape_of(sizes, processor));
   return l;
 }
@@ -112,6 +122,7 @@ static layout joint_of(const robot_sizes *sizes, const robot_processor *processo
   put(&l, 1, 2); /* unvisited */
   put(&l, sizes->of[ROBOT_SEEKERS], 2);
   put(&l, sizes->of[ROBOT_SEEKERS], 4);
+  put(&l, 1, 4); /* now */
   return l;
 }
 

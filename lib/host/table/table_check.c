@@ -44,7 +44,7 @@ static int check_times_to(const qtr_policy *policy, const qtr_field *field, unsi
                           fault *why) {
   const unsigned places = policy->board.places;
   for (unsigned node = 0; node < nodes_of(policy); node++) {
-    const qtr_steps told = qtr_board_steps(&policy->board, QTR_ANY_SEEKER, node, place);
+    const qtr_steps told = qtr_board_class_steps(&policy->board, 0, node, place);
     const qtr_steps true_steps = steps_on(policy, field, qtr_policy_cell(policy, node));
     char said[32], is[32];
     if (told == true_steps) continue;
@@ -63,7 +63,7 @@ static int check_regions_to(const qtr_policy *policy, const qtr_field *field, un
   for (uint32_t cell = 0; cell < cells; cell++) {
     if (qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) continue;
     const unsigned start = qtr_policy_region(policy, (qtr_cell)cell);
-    const qtr_steps from_start = qtr_board_steps(&policy->board, QTR_ANY_SEEKER, policy->board.places + start, place);
+    const qtr_steps from_start = qtr_board_class_steps(&policy->board, 0, policy->board.places + start, place);
     if ((from_start == QTR_NEVER) == (qtr_field_next(field, &policy->grid, (qtr_cell)cell) == QTR_NO_CELL)) continue;
     return fault_set(
         why, "%s: its regions are not its map's: the cell at column %u, row %u is cut off from its region; " MEND, path,
