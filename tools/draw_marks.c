@@ -190,18 +190,18 @@ static void write_label(draw_page *page, const draw_box *box, const char *number
 
 /* The number, if it is not inside, and the order. Where there is no room for both the order is left to the title. */
 static void draw_label(draw_page *page, int place, bool numbered) {
-  char number[QTR_SITE_NAME_BYTES] = "", order[16] = "", both[QTR_SITE_NAME_BYTES + 20];
+  char number[QTR_SITE_NAME_BYTES] = "", order[16] = "";
   const draw_point at = place_centre(page, place);
   const double nearest = place_radius(page, place) + 1;
   draw_box box;
   if (!numbered) snprintf(number, sizeof number, "%s", draw_place_label(page->d, place).text);
   if (page->visitor[place] >= 0) draw_ordinal(order, page->visit[place] + 1);
-  snprintf(both, sizeof both, "%s%s%s", number, !numbered && *order != '\0' ? " " : "", order);
-  if (*both == '\0') return;
-  if (draw_find_room(page, at, nearest, draw_text_width(both, 10.5) + 2, 12, &box))
+  if (*number == '\0' && *order == '\0') return;
+  const double alone = BOLD * draw_text_width(number, 10.5) + 2, gap = numbered ? 0 : draw_text_width(" ", 10.5);
+  if (draw_find_room(page, at, nearest, alone + gap + draw_text_width(order, 10.5), 12, &box)) {
     write_label(page, &box, number, order);
-  else if (!numbered) {
-    draw_find_room(page, at, nearest, draw_text_width(number, 10.5) + 2, 12, &box);
+  } else if (!numbered) {
+    draw_find_room(page, at, nearest, alone, 12, &box);
     write_label(page, &box, number, "");
   }
 }
@@ -212,7 +212,7 @@ static void draw_labels(draw_page *page) {
   fputs("<g id=\"numbers\" text-anchor=\"middle\">\n", page->out);
   for (int p = 0; p < page->d->places; p++) numbered[p] = draw_inside(page, p);
   fprintf(page->out,
-          "</g>\n<g id=\"labels\" font-size=\"10.5\" fill=\"%s\" stroke=\"%s\" stroke-width=\"3\" "
+          "</g>\n<g id=\"labels\" font-size=\"10.5\" fill=\"%s\" stroke=\"%s\" stroke-width=\"4\" "
           "stroke-linejoin=\"round\" paint-order=\"stroke\">\n",
           page->theme->ink, page->theme->ground);
   for (int p = 0; p < page->d->places; p++)
