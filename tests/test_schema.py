@@ -75,9 +75,18 @@ def item_of(mission, title, root, tops):
     raise KeyError(title)
 
 
+# What else a mission says that has such a key.
+BESIDE = {
+    "deadline_seconds": {"objective": "deadline"},
+    "home_weight": {"objective": "time"},
+    "class": {"classes": {"drone": {}}},
+    "avoid": {"places": [{"x": 2.5, "y": 1.5, "name": "Bay 3"}]},
+}
+
+
 def set_key(mission, title, schema, key, value, examples, root, tops):
     """A copy of the mission with the key of its mapping `title` set, and what must stand beside it."""
-    mission = copy.deepcopy(mission)
+    mission = copy.deepcopy({**mission, **BESIDE.get(key, {})})
     item = item_of(mission, title, root, tops)
     kept = without_twins(item, schema, key)
     for beside in schema.get("dependencies", {}).get(key, []):

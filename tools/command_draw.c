@@ -14,6 +14,7 @@
 #include "host/base/outfile.h"
 #include "host/base/stop.h"
 #include "host/plan/problem.h"
+#include "host/plan/terms.h"
 #include "host/table/certificate.h"
 #include "host/table/table.h"
 #include "host/table/way.h"
@@ -252,6 +253,9 @@ static int add_spots(sheet *s, const options *o, fault *why) {
   const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, &game->objective};
   if (game->board.places == 0)
     return fault_set(why, "%s: --spots goes with a mission or a drawing, not with a policy table", o->input);
+  if (terms_leave_no_spots(game->mission))
+    return fault_set(why, "%s: --spots: there are none with classes, looks, ready times, endurance or home_weight",
+                     o->input);
   const int status = qtr_spots_build(&desk->grouped, &ground, &o->plan.aggregate.units.spots, &desk->grouping);
   if (status != QTR_OK) return fault_set(why, "%s: its spots: %s", o->input, qtr_strerror(status));
   s->d.spot = desk->grouped.spot_of;

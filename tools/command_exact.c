@@ -37,6 +37,7 @@ static void fill_report(report *r, const exact_solution *solution, const qtr_mis
   qtr_certificate *c = &r->certificate;
   c->value = solution->value;
   c->expected_time = solution->expected_time;
+  c->found = solution->found_probability;
   c->objective = c->bound = solution->objective;
   c->certified = true;
   c->negligible_places = (uint16_t)solution->negligible;
@@ -60,6 +61,7 @@ static int solve(const options *o, report *r, fault *why) {
   if (exact_solve(&solution, &solved->in.mission, &solved->travel, why) != 0) return -1;
   fill_report(r, &solution, &solved->in.mission);
   r->seconds = clock_seconds() - begin;
+  routes_measure(&r->units, r->route, solved);
   return report_write(r, why);
 }
 

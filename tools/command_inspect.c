@@ -159,7 +159,7 @@ static void write_json(FILE *out, const void *what) {
   fit_json(&j, &i->fit);
   write_map(&j, t);
   write_places(&j, t);
-  report_json_routes(&j, i->routes, &n);
+  report_json_routes(&j, i->routes, &n, NULL);
   json_end_object(&j);
 }
 
@@ -178,7 +178,7 @@ static void write_text(FILE *out, const void *what) {
           c.bound, 100.0 * c.gap);
   fprintf(out, "identity %s: robots of another one are not believed\n", identity_of(t).text);
   fprintf(out, "%s of %d-byte keys\n", counted(t->policy.records, "state").text, 4 * t->policy.board.keys.words);
-  report_routes(out, i->routes, &n);
+  report_routes(out, i->routes, &n, NULL);
   fit_write(out, &i->fit);
 }
 

@@ -8,6 +8,7 @@
 #include "host/base/stop.h"
 #include "host/plan/progress.h"
 #include "host/plan/study.h"
+#include "host/plan/terms.h"
 #include "prepare.h"
 #include "quarter/export.h"
 #include "quarter/status.h"
@@ -113,10 +114,19 @@ static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *
   return 0;
 }
 
+/* A game that no table holds yet, with no table asked for, tells its routes itself. */
+static bool is_without_table(const report *r, const options *o) {
+  return terms_any(&r->p->in.mission) && o->output == NULL && o->c_output == NULL && o->profile == NULL && !r->anywhere;
+}
+
 /* The table, opened once as a robot will, gives the routes of the report: what is told is what was written. */
 static int write_table(report *r, const options *o, fault *why) {
   table t = {.bytes = {NULL, 0}};
   const uint32_t size = make_table(r, o, &t.bytes.data, why);
+  if (size == 0 && is_without_table(r, o)) {
+    routes_of_play(r->route, qtr_learner_best(learnt->learner), &learnt->p.game);
+    return 0;
+  }
   if (size == 0) return -1;
   t.bytes.size = size;
   if (table_add_names(&t.bytes, &learnt->p.in.names, &learnt->p.in.geo, why) != 0) {
@@ -192,6 +202,8 @@ static int learn(const options *o, report *r, fault *why) {
   r->seconds = stop_seconds() - begin + learnt->p.travel_seconds;
   count(r, o);
   if (write_table(r, o, why) != 0) return -1;
+  routes_to_mission(r->route, &learnt->p.game);
+  routes_measure(&r->units, r->route, &learnt->p);
   return report_write(r, why);
 }
 

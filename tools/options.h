@@ -51,7 +51,7 @@ extern option_table option_records;
 
 /* What a problem is made of an input by. */
 #define OPTION_LINES_OF_PROBLEM                                                                                        \
-  OPTION_LINE("robots"), OPTION_LINE("objective"), OPTION_LINE("gamma"), OPTION_LINE("rule"),                          \
+  OPTION_LINE("robots"), OPTION_LINE("objective"), OPTION_LINE("deadline"), OPTION_LINE("gamma"), OPTION_LINE("rule"), \
       OPTION_LINE("cell-size"), OPTION_LINE("skip-unreachable"), OPTION_LINE("snap"), OPTION_LINE("clear"),            \
       OPTION_LINE("without"), OPTION_LINE("add")
 

@@ -9,6 +9,21 @@
 #include "host/table/certificate.h"
 #include "print.h"
 
+static void write_units(json *j, const table_route *route, const route_units *units, int seeker) {
+  json_array(j, "seconds");
+  for (int i = 0; i < route->places; i++) json_number(j, NULL, route->step[i] * units->seconds_per_step);
+  json_end_array(j);
+  if (units->metric) {
+    json_array(j, "metres");
+    for (int i = 0; i < route->places; i++) json_number(j, NULL, units->metres[seeker][i]);
+    json_end_array(j);
+  }
+  if (!units->looks) return;
+  json_array(j, "looks");
+  for (int i = 0; i < route->places; i++) json_integer(j, NULL, units->look[seeker][i]);
+  json_end_array(j);
+}
+
 static void write_route(json *j, const table_route *route, const naming *n) {
   json_array(j, "places");
   for (int i = 0; i < route->places; i++) json_integer(j, NULL, n->number[route->place[i]]);
@@ -23,23 +38,33 @@ static void write_route(json *j, const table_route *route, const naming *n) {
   json_end_array(j);
 }
 
-void report_json_routes(json *j, const table_route *routes, const naming *n) {
+void report_json_routes(json *j, const table_route *routes, const naming *n, const route_units *units) {
   json_array(j, "routes");
   for (int seeker = 0; seeker < n->seekers; seeker++) {
     json_flat_object(j, NULL);
     json_integer(j, "seeker", seeker);
     naming_json_seeker(n, j, (unsigned)seeker);
     write_route(j, &routes[seeker], n);
+    if (units != NULL) write_units(j, &routes[seeker], units, seeker);
     json_end_object(j);
   }
   json_end_array(j);
 }
 
-static void write_certificate(json *j, const qtr_certificate *c) {
+/* Units of the objective's figure in a step: expected time is told in seconds, where steps have any. */
+static double objective_unit(const report *r) {
+  return r->p->in.mission.aim.kind == QTR_TIME ? r->p->pace.seconds_per_step : 1.0;
+}
+
+static void write_certificate(json *j, const report *r) {
+  const qtr_certificate *c = &r->certificate;
+  json_number(j, "seconds_per_step", r->p->pace.seconds_per_step);
+  json_number(j, "travel_rounding", r->p->pace.rounding);
   json_number(j, "value", c->value);
   json_number(j, "expected_time", c->expected_time);
-  json_number(j, "objective_value", c->objective);
-  json_number(j, "objective_bound", c->bound);
+  json_number(j, "found_probability", c->found);
+  json_number(j, "objective_value", objective_unit(r) * c->objective);
+  json_number(j, "objective_bound", objective_unit(r) * c->bound);
   json_number(j, "gap", c->gap);
   json_bool(j, "certified", c->certified);
   json_integer(j, "negligible_places", c->negligible_places);
@@ -50,6 +75,14 @@ static void write_cleared(json *j, const input *in) {
   json_flat_array(j, "cleared");
   for (unsigned place = 0; place < in->places_stated; place++)
     if (qtr_places_has(&in->cleared, place)) json_integer(j, NULL, place);
+  json_end_array(j);
+}
+
+static void write_left_out(json *j, const report *r) {
+  uint16_t places[QTR_MAX_PLACES];
+  const int count = routes_left_out(places, r->route, &r->p->in.mission);
+  json_flat_array(j, "left_out");
+  for (int i = 0; i < count; i++) json_integer(j, NULL, r->p->in.place_number[places[i]]);
   json_end_array(j);
 }
 
@@ -70,9 +103,9 @@ static void write_json(FILE *out, const void *what) {
   json_integer(&j, "places", mission->places);
   json_integer(&j, "robots", mission->seekers);
   json_string(&j, "objective", qtr_objective_names[mission->aim.kind]);
-  json_number(&j, "gamma", mission->aim.gamma);
+  json_number(&j, "gamma", r->p->pace.gamma);
   json_string(&j, "rule", words_rule[mission->rule]);
-  write_certificate(&j, c);
+  write_certificate(&j, r);
   json_string(&j, "ended", r->ended);
   json_natural(&j, "episodes", c->episodes);
   json_natural(&j, "updates", c->updates);
@@ -86,7 +119,8 @@ static void write_json(FILE *out, const void *what) {
   json_natural(&j, "seed", r->o->plan.learner.seed);
   json_natural(&j, "table_bytes", r->table_bytes);
   json_natural(&j, "table_records", r->table_records);
-  report_json_routes(&j, r->route, &n);
+  report_json_routes(&j, r->route, &n, &r->units);
+  write_left_out(&j, r);
   json_flat_array(&j, "place_numbers");
   for (int place = 0; place < mission->places; place++) json_integer(&j, NULL, r->p->in.place_number[place]);
   json_end_array(&j);
@@ -107,33 +141,39 @@ static void write_json(FILE *out, const void *what) {
   json_end_object(&j);
 }
 
-void report_routes(FILE *out, const table_route *route, const naming *n) {
+void report_routes(FILE *out, const table_route *route, const naming *n, const route_units *units) {
   for (int seeker = 0; seeker < n->seekers; seeker++) {
     fprintf(out, "  seeker %s:", naming_seeker(n, (unsigned)seeker).text);
     if (route[seeker].places == 0) fprintf(out, " stays at its start");
-    for (int i = 0; i < route[seeker].places; i++)
-      fprintf(out, "%s %s (step %" PRIu32 ")", i > 0 ? " ->" : "", naming_place(n, route[seeker].place[i]).text,
+    for (int i = 0; i < route[seeker].places; i++) {
+      fprintf(out, "%s %s (step %" PRIu32, i > 0 ? " ->" : "", naming_place(n, route[seeker].place[i]).text,
               route[seeker].step[i]);
+      if (units != NULL && units->seconds) fprintf(out, ", %.6g s", route[seeker].step[i] * units->seconds_per_step);
+      fputc(')', out);
+    }
     fputc('\n', out);
   }
 }
 
-/* "expected time 12.5 steps" */
-static void write_figure(FILE *out, uint8_t objective, double figure) {
+/* "expected time 12.5 steps", or "6.25 s" */
+static void write_figure(FILE *out, uint8_t objective, double figure, const pace *p) {
   const qtr_objective_words *words = qtr_objective_in_words(objective);
-  if (words->unit != NULL)
+  if (words->unit != NULL && p->stated)
+    fprintf(out, "%s %.6g s", words->figure, figure * p->seconds_per_step);
+  else if (words->unit != NULL)
     fprintf(out, "%s %s", words->figure, measured(figure, words->unit).text);
   else
     fprintf(out, "%s %.6g", words->figure, figure);
 }
 
 /* The objective's figure and its bound, and another one beside it. */
-static void write_figures(FILE *out, uint8_t objective, const qtr_certificate *c) {
+static void write_figures(FILE *out, uint8_t objective, const report *r) {
+  const qtr_certificate *c = &r->certificate;
   const uint8_t beside = qtr_objective_in_words(objective)->beside;
-  const qtr_score score = {.value = c->value, .expected_time = c->expected_time};
-  write_figure(out, objective, c->objective);
-  fprintf(out, ", bound %.6g (", c->bound);
-  write_figure(out, beside, qtr_objective_figure(beside, qtr_objective_of_score(beside, &score)));
+  const qtr_score score = {.value = c->value, .expected_time = c->expected_time, .found = c->found};
+  write_figure(out, objective, c->objective, &r->p->pace);
+  fprintf(out, ", bound %.6g (", objective_unit(r) * c->bound);
+  write_figure(out, beside, qtr_objective_figure(beside, qtr_objective_of_score(beside, &score)), &r->p->pace);
   fputs(")\n", out);
 }
 
@@ -143,7 +183,7 @@ static void write_verdict(FILE *out, const report *r) {
   certificate_tell(out, c->certified, c->gap, c->negligible_places);
   if (!c->certified) fprintf(out, " when it ended (%s)", r->ended);
   fputs("; ", out);
-  write_figures(out, objective, c);
+  write_figures(out, objective, r);
 }
 
 /* What the certificate does not cover, for it is lost in the sum. */
@@ -155,6 +195,22 @@ static void write_negligible(FILE *out, const report *r) {
           r->p->in.mission.places, places == 1 ? "makes" : "make", QTR_NEGLIGIBLE);
   fprintf(out, words->fades ? "--objective time, or a gamma nearer 1, covers them\n"
                             : "their weights are too small beside the others'\n");
+}
+
+/* What the field's terms bring: looks that all miss, places that nobody gets to, steps of so many seconds. */
+static void write_terms(FILE *out, const report *r) {
+  const pace *p = &r->p->pace;
+  const naming n = input_naming(&r->p->in);
+  uint16_t places[QTR_MAX_PLACES];
+  const int count = routes_left_out(places, r->route, &r->p->in.mission);
+  if (r->certificate.found < 1.0 - 1e-9 && r->p->in.mission.aim.kind != QTR_DEADLINE)
+    fprintf(out, "finds the target with probability %.6g\n", r->certificate.found);
+  if (p->stated) fprintf(out, "a step is %.6g s", p->seconds_per_step);
+  if (p->stated && p->rounding > 0.0) fprintf(out, ", which rounds travel times by up to %.2g %%", 100.0 * p->rounding);
+  if (p->stated) fputc('\n', out);
+  for (int i = 0; i < count; i++)
+    fprintf(out, "%s %s%s", i == 0 ? "nobody searches" : ",", naming_place(&n, places[i]).text,
+            i + 1 < count ? "" : "\n");
 }
 
 static void write_text(FILE *out, const void *what) {
@@ -171,7 +227,8 @@ static void write_text(FILE *out, const void *what) {
             counted(r->q_bytes, "byte").text, r->seconds);
   else
     fprintf(out, "%.3g s\n", r->seconds);
-  report_routes(out, r->route, &n);
+  report_routes(out, r->route, &n, &r->units);
+  write_terms(out, r);
   replan_write(out, &r->before, &n, r->route, r->certificate.expected_time);
   if (r->o->output != NULL)
     fprintf(out, "wrote %s: %s, %s\n", r->o->output, counted(r->table_bytes, "byte").text,

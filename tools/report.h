@@ -15,6 +15,7 @@
 #include "options.h"
 #include "quarter/learner.h"
 #include "replan.h"
+#include "routes.h"
 
 typedef struct {
   const char *command; /* "learn" or "exact" */
@@ -28,8 +29,9 @@ typedef struct {
   uint32_t table_bytes;        /* 0: no table was made */
   uint32_t table_records;
   table_route route[QTR_MAX_SEEKERS]; /* places as the mission's */
-  replan before;                      /* the plan that this one replaces, or is compared with */
-  bool anywhere;                      /* the table is for any start, or any places cleared */
+  route_units units;
+  replan before; /* the plan that this one replaces, or is compared with */
+  bool anywhere; /* the table is for any start, or any places cleared */
   anywhere_report any;
   fit fit;
 } report;
@@ -38,8 +40,8 @@ typedef struct {
 int report_write(const report *r, fault *why);
 
 /* The routes as JSON, by the input's numbers, with the names beside them; and as text, "seeker 0: 3 (step 7) -> Bay 5
- * (12)", a line each. */
-void report_json_routes(json *j, const table_route *routes, const naming *n);
-void report_routes(FILE *out, const table_route *route, const naming *n);
+ * (12)", a line each. `units` NULL: steps alone. */
+void report_json_routes(json *j, const table_route *routes, const naming *n, const route_units *units);
+void report_routes(FILE *out, const table_route *route, const naming *n, const route_units *units);
 
 #endif

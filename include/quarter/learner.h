@@ -77,7 +77,8 @@ enum qtr_learning {
 typedef struct {
   double value;         /* of the best game played: discounted */
   double expected_time; /* of the same game, steps */
-  double objective;     /* whichever of the two the mission asks for */
+  double found;         /* probability that the same game finds at all; under a deadline, by then */
+  double objective;     /* whichever of the three the mission asks for */
   double bound;         /* no policy does better than this in the mission's objective */
   double gap;           /* |objective - bound| / |objective| */
   bool certified;       /* gap is within the config's */

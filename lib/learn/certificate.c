@@ -30,14 +30,22 @@ enum qtr_learning qtr_certificate_verdict(const qtr_learner *learner) {
   return qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_CONVERGED;
 }
 
+/* What is left out, or comes after the deadline, counts for nothing by the rules, and not for being small. */
+static bool is_in_time(const qtr_learner *learner, qtr_steps visit) {
+  const qtr_objective *objective = &learner->game->objective;
+  return visit != QTR_NEVER && (objective->kind != QTR_DEADLINE || visit <= objective->deadline);
+}
+
 /* A discounted objective cannot tell plans apart that differ in what lies far off: the certificate says how much of it
  * there is. Places that count for next to nothing: discounted away, or hardly likely. */
 static uint16_t count_negligible(const qtr_learner *learner) {
   const qtr_play *best = &learner->best;
   uint16_t count = 0;
-  for (unsigned place = 0; place < learner->game->board.places; place++)
+  for (unsigned place = 0; place < learner->game->board.places; place++) {
+    if (!is_in_time(learner, best->visit[place])) continue;
     count += qtr_objective_neglects(&learner->game->objective, learner->game->probability[place], best->visit[place],
                                     best->score.worth);
+  }
   return count;
 }
 
@@ -49,6 +57,7 @@ void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certif
   const double upper = learner->ground_upper > worth ? learner->ground_upper : worth;
   certificate->value = score->value;
   certificate->expected_time = score->expected_time;
+  certificate->found = score->found;
   certificate->objective = qtr_objective_figure(objective, worth);
   certificate->bound = qtr_objective_figure(objective, upper);
   certificate->gap = upper > worth ? (upper - worth) / fabs(worth) : 0.0;

@@ -5,6 +5,20 @@
 
 #include "quarter/status.h"
 
+/* What a place is like for each class, under its number of now. */
+static void take_place(qtr_mission *rest, unsigned to, const qtr_mission *whole, unsigned from) {
+  rest->place[to] = whole->place[from];
+  rest->weight[to] = whole->weight[from];
+  rest->detection[to] = whole->detection[from];
+  rest->looks[to] = whole->looks[from];
+  for (unsigned i = 0; i < whole->classes; i++) {
+    qtr_robot_class *of = &rest->robot_class[i];
+    of->scan[to] = whole->robot_class[i].scan[from];
+    qtr_places_remove(&of->avoided, to);
+    if (qtr_places_has(&whole->robot_class[i].avoided, from)) qtr_places_add(&of->avoided, to);
+  }
+}
+
 /* Weights stay as they were: likelihoods are worked out of them anew, over what is left, as Bayes' rule has it for
  * places known to be empty. Places close up, for a game has no gaps; `number` leads back. */
 void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole, const qtr_cell *start,
@@ -14,8 +28,7 @@ void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole
   for (uint16_t place = 0; place < whole->places; place++) {
     if (cleared != NULL && qtr_places_has(cleared, place)) continue;
     number[rest->places] = place;
-    rest->place[rest->places] = whole->place[place];
-    rest->weight[rest->places++] = whole->weight[place];
+    take_place(rest, rest->places++, whole, place);
   }
   QTR_ASSERT(rest->places > 0); /* a mission has something to search */
   memcpy(rest->start, start, whole->seekers * sizeof *start);

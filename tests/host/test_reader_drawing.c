@@ -138,10 +138,11 @@ static void test_limits_of_the_build_are_named(void) {
   scratch_refuse("a.txt", "a.txt", "17 robots asked for, but this build holds 16", "QTR_MAX_SEEKERS");
 }
 
-static void test_lengths_make_no_sense_on_a_drawing(void) {
+static void test_a_cell_size_gives_it_metres(void) {
   scratch_write("a.txt", "S1\n");
   scratch_options.cell_size = 0.2;
-  scratch_refuse("a.txt", "a.txt", "no metres", "--cell-size");
+  scratch_read("a.txt");
+  TEST_ASSERT_EQUAL_UINT32(200000, scratch_input.mission.frame.cell_size_um);
 }
 
 int main(void) {
@@ -155,6 +156,6 @@ int main(void) {
   RUN_TEST(test_places_and_starts_have_names_and_positions);
   RUN_TEST(test_faults_name_line_and_column);
   RUN_TEST(test_limits_of_the_build_are_named);
-  RUN_TEST(test_lengths_make_no_sense_on_a_drawing);
+  RUN_TEST(test_a_cell_size_gives_it_metres);
   return UNITY_END();
 }

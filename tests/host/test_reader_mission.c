@@ -113,13 +113,10 @@ static void test_map_faults(void) {
   refuse("map: p.pgm\n", "m.yaml:1", "names a PGM image", "map_server YAML");
 }
 
-static void test_lengths_need_a_map_with_metres(void) {
-  refuse(HEAD "cell_size: 1\n", "m.yaml:3", "'cell_size' is for ROS maps only", "delete");
+static void test_lengths_are_of_their_range(void) {
   refuse(HEAD "robot_radius: 0.1\n", "m.yaml:3", "'robot_radius' is for ROS maps only", "delete");
   refuse(HEAD "cell_size: -1\n", "m.yaml:3", "'cell_size' is -1 m", "above 0");
   refuse(HEAD "robot_radius: -0.1\n", "m.yaml:3", "'robot_radius' is -0.1 m", "0 or more");
-  scratch_options.cell_size = 0.5;
-  refuse(HEAD, "m.yaml", "no metres", "--cell-size");
 }
 
 static void test_mistyped_and_doubled_keys(void) {
@@ -147,7 +144,7 @@ static void test_wrong_types_and_values(void) {
   refuse(HEAD "unknown: maybe\n", "m.yaml:3", "'unknown' is \"maybe\"", "one of blocked and free");
   refuse("map: a.txt\nrobots: 3\n", "m.yaml:2", "'robots' is not a list", "robots: [");
   refuse("map: a.txt\nrobots: []\n", "m.yaml:2", "'robots' is empty", "robots: [");
-  refuse("map: a.txt\nrobots: [3]\n", "m.yaml:2", "robot 0 is not a mapping", "x, y, column, row and name");
+  refuse("map: a.txt\nrobots: [3]\n", "m.yaml:2", "robot 0 is not a mapping", "x, y, column, row, name");
   refuse(HEAD "places: {x: 1, y: 1}\n", "m.yaml:3", "'places' is not a list", "places: [");
   refuse(HEAD "places: []\n", "m.yaml", "no place", "'places'");
   refuse(HEAD "places: [{x: 1}]\n", "m.yaml:3", "place 0 lacks the key 'y'", "add");
@@ -297,7 +294,7 @@ int main(void) {
   RUN_TEST(test_one_robot_is_shared_several_are_counted);
   RUN_TEST(test_points_on_lines_between_cells);
   RUN_TEST(test_map_faults);
-  RUN_TEST(test_lengths_need_a_map_with_metres);
+  RUN_TEST(test_lengths_are_of_their_range);
   RUN_TEST(test_mistyped_and_doubled_keys);
   RUN_TEST(test_wrong_types_and_values);
   RUN_TEST(test_weights);

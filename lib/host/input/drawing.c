@@ -35,7 +35,7 @@ static int read_row(input *in, const text_lines *lines, drawing_marks marks, fau
     int cost = glyph_cost(glyph);
     if (cost < 0) return unknown_glyph(in, lines, i, why);
     mission->cost[cell] = (uint8_t)cost;
-    const input_site site = {{false, (double)i, row}, glyph - '0', ""};
+    const input_site site = {.position = {false, (double)i, row}, .weight = glyph - '0'};
     if (glyph == 'S' && marks.starts && sites_add_start(in, &site, origin, why)) return -1;
     bool digit = glyph >= '1' && glyph <= '9';
     if (digit && marks.places && sites_add_place(in, &site, origin, why)) return -1;

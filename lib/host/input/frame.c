@@ -25,6 +25,10 @@ qtr_cell frame_cell(const input *in, input_position position) {
   return (qtr_cell)((mission->rows - 1u - (unsigned)at.up) * mission->columns + (unsigned)at.across);
 }
 
+void frame_of_cells(input *in) {
+  if (in->ground.cell_size > 0.0) in->frame = (input_frame){.metric = true, .cell_size = in->ground.cell_size};
+}
+
 /* Back from cells to metres. */
 static input_position metres_of(const input_frame *frame, frame_point at) {
   double cosine = cos(frame->yaw), sine = sin(frame->yaw);

@@ -17,6 +17,9 @@ qtr_cell frame_cell(const input *in, input_position position);
 /* The middle of a cell, in metres in the map frame or as column and row. */
 input_position frame_centre(const input *in, qtr_cell cell, bool metres);
 
+/* Metres for a map of cells, where the mission says how large they are; x and y from its lower-left corner. */
+void frame_of_cells(input *in);
+
 /* The frame as a table holds it, so that a robot can tell cells from its own pose: whole micrometres. Left as it is
  * (none) where the map has no metres. */
 void frame_in_um(const input_frame *frame, qtr_frame *out);

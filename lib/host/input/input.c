@@ -14,10 +14,21 @@ const char *input_source_path(const input *in, input_origin origin) {
   }
 }
 
+static void keep_in_class(qtr_robot_class *of, int to, int from) {
+  const bool is_avoided = qtr_places_has(&of->avoided, (unsigned)from);
+  qtr_places_remove(&of->avoided, (unsigned)to);
+  if (is_avoided) qtr_places_add(&of->avoided, (unsigned)to);
+  of->scan[to] = of->scan[from];
+}
+
 void input_keep_place(input *in, int to, int from) {
   qtr_mission *mission = &in->mission;
   mission->place[to] = mission->place[from];
   mission->weight[to] = mission->weight[from];
+  mission->detection[to] = mission->detection[from];
+  mission->looks[to] = mission->looks[from];
+  for (int i = 0; i < mission->classes; i++) keep_in_class(&mission->robot_class[i], to, from);
+  in->terms.place_scan[to] = in->terms.place_scan[from];
   in->place_origin[to] = in->place_origin[from];
   in->place_position[to] = in->place_position[from];
   in->place_number[to] = in->place_number[from];
@@ -26,6 +37,8 @@ void input_keep_place(input *in, int to, int from) {
 
 void input_keep_robot(input *in, int to, int from) {
   in->mission.start[to] = in->mission.start[from];
+  in->mission.class_of[to] = in->mission.class_of[from];
+  in->terms.ready[to] = in->terms.ready[from];
   in->start_origin[to] = in->start_origin[from];
   in->start_position[to] = in->start_position[from];
   if (to != from) memcpy(in->names.seeker[to], in->names.seeker[from], sizeof in->names.seeker[to]);

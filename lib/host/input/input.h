@@ -44,9 +44,46 @@ typedef struct {
 /* A robot or a place, as it is stated. */
 typedef struct {
   input_position position;
-  double weight;                  /* places */
   char name[QTR_SITE_NAME_BYTES]; /* empty: none */
+  /* places */
+  double weight;
+  double scan_seconds; /* where scan_given */
+  bool scan_given;
+  double detection; /* 0: as the mission says */
+  uint8_t looks;    /* likewise */
+  /* robots */
+  char class_name[QTR_SITE_NAME_BYTES]; /* empty: none */
+  double ready_seconds;
+  bool ready_given;
 } input_site;
+
+#define INPUT_UNSAID (-1.0) /* of seconds */
+
+/* What is stated of a class of robots in seconds and metres; the rest is in the mission's class of the same number. */
+typedef struct {
+  char name[QTR_SITE_NAME_BYTES]; /* empty: robots that name no class */
+  int line;
+  double speed;             /* m/s; 0: the mission's */
+  double scan_seconds;      /* INPUT_UNSAID: the mission's */
+  double endurance_seconds; /* INPUT_UNSAID: no end */
+  bool rough;               /* may enter ground of a cost above 1 */
+  bool stated;              /* any of the above in seconds */
+} input_class;
+
+/* What is stated of the field's terms in seconds and metres, of which steps are made when all is read
+ * (host/plan/terms.h). */
+typedef struct {
+  bool stated;         /* any of it */
+  double speed;        /* m/s; 0: a cell a second */
+  double step_seconds; /* 0: whichever suits the speeds */
+  double scan_seconds;
+  double deadline_seconds; /* 0: none */
+  double detection;        /* of places that say nothing of it; 0: 1 */
+  uint8_t looks;           /* likewise */
+  input_class of_class[QTR_MAX_CLASSES];
+  double place_scan[QTR_MAX_PLACES]; /* seconds; INPUT_UNSAID: as the class, or the mission, says */
+  double ready[QTR_MAX_SEEKERS];     /* seconds */
+} input_terms;
 
 /* The file in which a start or place is stated. */
 enum input_source { INPUT_FROM_MISSION, INPUT_FROM_MAP, INPUT_FROM_CSV, INPUT_FROM_OPTION };
@@ -67,6 +104,7 @@ typedef struct {
   qtr_names names;            /* of the mission, its places and robots */
   bool objective_given, gamma_given, rule_given; /* stated in the mission file */
   input_ground ground;
+  input_terms terms;
   input_origin start_origin[QTR_MAX_SEEKERS];
   input_origin place_origin[QTR_MAX_PLACES];
   input_position start_position[QTR_MAX_SEEKERS]; /* as stated: they may have been moved since */

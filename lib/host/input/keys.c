@@ -72,9 +72,14 @@ static int take_integer(void *field, const key_record *r, const value_site *site
   return 0;
 }
 
+static const char *const *words_of(const key_record *r) {
+  static const char *const truth[] = {"false", "true", NULL};
+  return r->kind == KEY_SWITCH ? truth : r->words;
+}
+
 static int take_word(void *field, const key_record *r, const value_site *site, const char *text) {
   int word;
-  if (value_word(&word, site, r->name, text, r->words)) return -1;
+  if (value_word(&word, site, r->name, text, words_of(r))) return -1;
   store(field, r->size, word);
   return 0;
 }
@@ -101,7 +106,8 @@ int keys_take(void *settings, const key_record *r, const value_site *site, const
   switch (r->kind) {
   case KEY_NUMBER: return take_number(field, r, site, text);
   case KEY_INTEGER: return take_integer(field, r, site, text);
-  case KEY_WORD: return take_word(field, r, site, text);
+  case KEY_WORD:
+  case KEY_SWITCH: return take_word(field, r, site, text);
   case KEY_TEXT: return take_text(field, r, site, text);
   case KEY_NAME: return take_name(field, r, site, text);
   case KEY_FILE:
@@ -213,8 +219,9 @@ static int take_node(void *settings, const key_record *r, tree *yaml, tree_node 
   const value_site site = tree_site(yaml, node);
   if (r->kind == KEY_LIST) return check_list(r, yaml, node);
   if (r->kind == KEY_MAPPING || r->kind == KEY_NAMED) return 0;
-  if (r->kind == KEY_WORD) value_words(words, sizeof words, r->words);
-  const char *text = tree_scalar(yaml, node, r->name, r->kind == KEY_WORD ? words : wanted[r->kind]);
+  const bool is_word = r->kind == KEY_WORD || r->kind == KEY_SWITCH;
+  if (is_word) value_words(words, sizeof words, words_of(r));
+  const char *text = tree_scalar(yaml, node, r->name, is_word ? words : wanted[r->kind]);
   return text == NULL ? -1 : keys_take(settings, r, &site, text);
 }
 

@@ -4,10 +4,12 @@
 #include <string.h>
 
 #include "host/input/choose.h"
+#include "host/input/classes.h"
 #include "host/input/csv.h"
 #include "host/input/decode.h"
 #include "host/input/drawing.h"
 #include "host/input/foreign.h"
+#include "host/input/frame.h"
 #include "host/input/geo.h"
 #include "host/input/kind.h"
 #include "host/input/mission_keys.h"
@@ -17,18 +19,11 @@
 
 /* ---- the map ---- */
 
-/* Lengths make sense on a map with metres only; ignoring them would plan for another robot than the user's. */
-static int check_no_metres(const input *in, tree *yaml, tree_node *root, const input_options *options) {
-  tree_node *node = tree_find(yaml, root, "cell_size");
-  if (node != NULL)
-    return tree_fault(yaml, node, "'cell_size' is for ROS maps only, and this map has no metres; delete it");
-  if (options->cell_size > 0.0) {
-    return file_fault(yaml->why, yaml->path, 0, 0,
-                      "a cell size is for ROS maps only, and this map has no metres; leave --cell-size out");
-  }
+/* Obstacles of whole cells grow by whole cells; ignoring it would plan for another robot than the user's. */
+static int check_no_radius(const input *in, tree *yaml, tree_node *root) {
   if (in->ground.robot_radius == 0.0) return 0;
   return tree_fault(yaml, tree_find(yaml, root, "robot_radius"),
-                    "'robot_radius' is for ROS maps only, and this map has no metres; delete it");
+                    "'robot_radius' is for ROS maps only, and this map's obstacles are whole cells; delete it");
 }
 
 static int read_yaml_map(input *in, tree *mission, tree_node *node, const file_bytes *bytes) {
@@ -40,8 +35,7 @@ static int read_yaml_map(input *in, tree *mission, tree_node *node, const file_b
   return rosmap_read(in, bytes, mission->why);
 }
 
-static int read_map_bytes(input *in, tree *yaml, tree_node *root, const file_bytes *bytes,
-                          const input_options *options) {
+static int read_map_bytes(input *in, tree *yaml, tree_node *root, const file_bytes *bytes) {
   tree_node *node = tree_find(yaml, root, "map");
   drawing_marks marks = {tree_find(yaml, root, "robots") == NULL,
                          tree_find(yaml, root, "places") == NULL && tree_find(yaml, root, "places_csv") == NULL};
@@ -52,7 +46,8 @@ static int read_map_bytes(input *in, tree *yaml, tree_node *root, const file_byt
   }
   if (kind == KIND_FOREIGN) return tree_fault(yaml, node, "'map' names %s", foreign_what(bytes));
   if (kind == KIND_YAML) return read_yaml_map(in, yaml, node, bytes);
-  if (check_no_metres(in, yaml, root, options)) return -1;
+  if (check_no_radius(in, yaml, root)) return -1;
+  frame_of_cells(in);
   return kind == KIND_MOVINGAI ? movingai_read(in, bytes, yaml->why) : drawing_read(in, bytes, marks, yaml->why);
 }
 
@@ -67,7 +62,7 @@ static int read_map(input *in, tree *yaml, tree_node *root, const input_options 
   file_bytes bytes;
   if (options->cell_size > 0.0) in->ground.cell_size = options->cell_size;
   if (read_named(&bytes, in->map, FILE_MAP_LIMIT, yaml, tree_find(yaml, root, "map"))) return -1;
-  int result = read_map_bytes(in, yaml, root, &bytes, options);
+  int result = read_map_bytes(in, yaml, root, &bytes);
   file_free(&bytes);
   return result;
 }
@@ -141,11 +136,15 @@ static int read_csv(input *in, tree *yaml, tree_node *root) {
   return result;
 }
 
+static int read_sites(input *in, tree *yaml, tree_node *root) {
+  if (read_robots(in, yaml, root) || read_places(in, yaml, root) || read_csv(in, yaml, root)) return -1;
+  return classes_finish(in, yaml, root);
+}
+
 int mission_file_read(input *in, tree *yaml, const input_options *options) {
   tree_node *root = tree_root(yaml);
-  if (keys_read(in, &mission_keys, yaml, root, "the mission", NULL)) return -1;
-  if (read_map(in, yaml, root, options) || geo_read(in, yaml, root) || read_robots(in, yaml, root)) return -1;
-  if (read_places(in, yaml, root) || read_csv(in, yaml, root)) return -1;
+  if (keys_read(in, &mission_keys, yaml, root, "the mission", NULL) || classes_read(in, yaml, root)) return -1;
+  if (read_map(in, yaml, root, options) || geo_read(in, yaml, root) || read_sites(in, yaml, root)) return -1;
   if (in->mission.places > 0 || options->adds > 0) return choose_cleared(in, yaml, root);
   return file_fault(yaml->why, yaml->path, 0, 0,
                     "no place to visit; list one at least under 'places', or name a 'places_csv'");

@@ -41,8 +41,33 @@ static const key_group positions[] = {
    .standard = "its number, from 0",                                                                                   \
    KEY_FIELD(mission_site, it.name)}
 
+#define SECONDS .kind = KEY_NUMBER, .unit = "s", .noun = "seconds", .most = LONGEST
+#define LONGEST 1e7 /* seconds: beyond, steps might not be counted */
+
 static const key_record robot_records[] = {
-    POSITION, NAME("what reports, pictures and options call it; no two robots have one name"), {.name = NULL}};
+    POSITION,
+    NAME("what reports, pictures and options call it; no two robots have one name"),
+    {.name = "class",
+     .kind = KEY_NAME,
+     .help = "one of `classes`",
+     .example = "drone",
+     .standard = "as the mission says",
+     KEY_FIELD(mission_site, it.class_name)},
+    {.name = "ready_seconds",
+     SECONDS,
+     .help = "when it sets out",
+     .example = "60",
+     .standard = "0",
+     KEY_FIELD(mission_site, it.ready_seconds),
+     KEY_GIVEN(mission_site, it.ready_given)},
+    {.name = NULL}};
+
+#define DETECTION                                                                                                      \
+  .kind = KEY_NUMBER, .help = "probability that a look finds what is there", .example = "0.8",                         \
+  .noun = "a probability", .most = 1.0, .least_out = true
+#define LOOKS                                                                                                          \
+  .kind = KEY_INTEGER, .help = "that it is worth at most, where looks may miss; each after the first is worth less",   \
+  .example = "2", .least = 1.0, .most = 255.0
 
 static const char *const weight_words[] = {"poa", "likelihood", NULL};
 
@@ -59,6 +84,15 @@ static const key_record place_records[] = {
      .least_out = true,
      KEY_FIELD(mission_site, it.weight)},
     NAME("what reports, pictures and options call it; no two places have one name"),
+    {.name = "scan_seconds",
+     SECONDS,
+     .help = "what a look at it takes, for every class: it counts when the look ends",
+     .example = "30",
+     .standard = "as the class, or the mission, says",
+     KEY_FIELD(mission_site, it.scan_seconds),
+     KEY_GIVEN(mission_site, it.scan_given)},
+    {.name = "detection", DETECTION, .standard = "the mission's", KEY_FIELD(mission_site, it.detection)},
+    {.name = "looks", LOOKS, .standard = "the mission's", KEY_FIELD(mission_site, it.looks)},
     {.name = NULL}};
 
 const key_set mission_robot_keys = {"A robot", robot_records, positions, "position"};
@@ -70,6 +104,13 @@ input_site mission_site_of(const mission_site *stated, int group) {
                                           : (input_position){false, stated->column, stated->row};
   return site;
 }
+
+#define SPEED                                                                                                          \
+  .kind = KEY_NUMBER, .help = "over plain ground", .example = "0.5", .where = METRIC_MAPS, .unit = "m/s",              \
+  .noun = "a speed", .most = 1e4, .least_out = true
+
+#define ROS_MAPS "ROS maps"
+#define METRIC_MAPS "maps with metres"
 
 /* ---- where the map lies ---- */
 
@@ -108,10 +149,44 @@ static const key_record geo_records[] = {
 
 const key_set mission_geo_keys = {"Where the map lies on the globe", geo_records, NULL, NULL};
 
-/* ---- the mission ---- */
+/* ---- classes of robots ---- */
 
-#define ROS_MAPS "ROS maps"
-#define METRIC_MAPS "maps with metres"
+static const key_record class_records[] = {{.name = "speed",
+                                            SPEED,
+                                            .standard = "the mission's",
+                                            KEY_FIELD(input_class, speed),
+                                            KEY_GIVEN(input_class, stated)},
+                                           {.name = "scan_seconds",
+                                            SECONDS,
+                                            .help = "what a look takes, at places that say nothing of it",
+                                            .example = "30",
+                                            .standard = "the mission's",
+                                            KEY_FIELD(input_class, scan_seconds),
+                                            KEY_GIVEN(input_class, stated)},
+                                           {.name = "endurance_seconds",
+                                            SECONDS,
+                                            .least_out = true,
+                                            .help = "from its ready time until it must be back at its start",
+                                            .example = "900",
+                                            .standard = "no end",
+                                            KEY_FIELD(input_class, endurance_seconds),
+                                            KEY_GIVEN(input_class, stated)},
+                                           {.name = "avoid",
+                                            .kind = KEY_LIST,
+                                            .help = "places that it may not visit, by name or number",
+                                            .example = "[Bay 3]",
+                                            .standard = "none"},
+                                           {.name = "rough",
+                                            .kind = KEY_SWITCH,
+                                            .help = "whether it may enter ground that takes longer than other ground",
+                                            .example = "false",
+                                            .standard = "true",
+                                            KEY_FIELD(input_class, rough)},
+                                           {.name = NULL}};
+
+const key_set mission_class_keys = {"A class of robots", class_records, NULL, NULL};
+
+/* ---- the mission ---- */
 
 static const key_record mission_records[] = {
     {.name = "map",
@@ -122,10 +197,10 @@ static const key_record mission_records[] = {
      KEY_FIELD(input, map)},
     {.name = "cell_size",
      .kind = KEY_NUMBER,
-     .help = "side of a planning cell; a cell that any obstacle touches is blocked",
+     .help = "side of a planning cell; on ROS maps a cell that any obstacle touches is blocked, on others it says how "
+             "large the map's cells are",
      .example = "0.2",
-     .standard = "the map's resolution",
-     .where = ROS_MAPS,
+     .standard = "the map's resolution; without one, no metres",
      .unit = "m",
      .noun = "a length",
      .most = HUGE_VAL,
@@ -178,7 +253,8 @@ static const key_record mission_records[] = {
      .standard = "none"},
     {.name = "objective",
      .kind = KEY_WORD,
-     .help = "what is best: the likeliest places soonest, by gamma a step, or the least expected time of the find",
+     .help = "what is best: the likeliest places soonest, by gamma a second, the least expected time of the find, or "
+             "the greatest probability of a find by the deadline",
      .example = "time",
      .standard = "discounted",
      .words = qtr_objective_names,
@@ -186,7 +262,7 @@ static const key_record mission_records[] = {
      KEY_GIVEN(input, objective_given)},
     {.name = "gamma",
      .kind = KEY_NUMBER,
-     .help = "what a find a step later still counts for",
+     .help = "what a find a second later still counts for",
      .example = "0.99",
      .standard = "0.99",
      .noun = "a discount",
@@ -203,6 +279,52 @@ static const key_record mission_records[] = {
      .words = words_rule,
      KEY_FIELD(input, mission.rule),
      KEY_GIVEN(input, rule_given)},
+    {.name = "deadline_seconds",
+     SECONDS,
+     .least_out = true,
+     .help = "by when a find counts; under `objective: deadline` alone",
+     .example = "600",
+     KEY_FIELD(input, terms.deadline_seconds),
+     KEY_GIVEN(input, terms.stated)},
+    {.name = "home_weight",
+     .kind = KEY_NUMBER,
+     .help = "what each robot's arrival at its start counts beside the places, in their unit; under `objective: time` "
+             "alone",
+     .example = "1",
+     .standard = "0",
+     .noun = "a weight",
+     .most = HUGE_VAL,
+     KEY_FIELD(input, mission.aim.home_weight)},
+    {.name = "speed",
+     SPEED,
+     .standard = "a cell a second",
+     KEY_FIELD(input, terms.speed),
+     KEY_GIVEN(input, terms.stated)},
+    {.name = "step_seconds",
+     .kind = KEY_NUMBER,
+     .help = "what a step of the plan takes: all times are whole steps",
+     .example = "0.5",
+     .standard = "the longest that rounds no travel time by more than 1 %",
+     .unit = "s",
+     .noun = "seconds",
+     .least = 1e-3,
+     .most = 3600.0,
+     KEY_FIELD(input, terms.step_seconds),
+     KEY_GIVEN(input, terms.stated)},
+    {.name = "scan_seconds",
+     SECONDS,
+     .help = "what a look at a place takes, where neither the place nor the class says",
+     .example = "30",
+     .standard = "0",
+     KEY_FIELD(input, terms.scan_seconds),
+     KEY_GIVEN(input, terms.stated)},
+    {.name = "detection", DETECTION, .standard = "1", KEY_FIELD(input, terms.detection)},
+    {.name = "looks", LOOKS, .standard = "1", KEY_FIELD(input, terms.looks)},
+    {.name = "classes",
+     .kind = KEY_NAMED,
+     .help = "classes of robots, each by its name with what it differs in",
+     .example = "{drone: {speed: 5, endurance_seconds: 900}}",
+     .items = &mission_class_keys},
     {.name = "name",
      .kind = KEY_TEXT,
      .help = "for reports and pictures",

@@ -29,6 +29,7 @@ input_site mission_site_of(const mission_site *stated, int group);
 extern const key_set mission_keys;       /* into an `input` */
 extern const key_set mission_robot_keys; /* into a mission_site */
 extern const key_set mission_place_keys; /* likewise */
+extern const key_set mission_class_keys; /* into an input_class */
 extern const key_set mission_geo_keys;   /* into a mission_geo */
 
 #endif

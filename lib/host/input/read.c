@@ -44,11 +44,9 @@ static int needs_mission(const input *in, const char *what, fault *why) {
 
 static int read_drawing(input *in, const file_bytes *bytes, const input_options *options, fault *why) {
   drawing_marks marks = {true, true};
+  in->ground.cell_size = options->cell_size;
+  frame_of_cells(in);
   if (drawing_read(in, bytes, marks, why)) return -1;
-  if (options->cell_size > 0.0) {
-    return file_fault(why, in->path, 0, 0,
-                      "a cell size is for ROS maps only, and a drawing has no metres; leave --cell-size out");
-  }
   if (in->mission.seekers == 0) return file_fault(why, in->path, 0, 0, "no start; mark the robots' cell with S");
   if (in->mission.places == 0) {
     return file_fault(why, in->path, 0, 0, "no place to visit; mark one at least with its weight, 1 to 9");

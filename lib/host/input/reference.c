@@ -18,6 +18,7 @@ static void write_values(FILE *out, const key_record *r) {
                                       [KEY_FILE] = "a file, relative to this one",
                                       [KEY_NUMBER] = "a number",
                                       [KEY_INTEGER] = "a whole number",
+                                      [KEY_SWITCH] = "`true` or `false`",
                                       [KEY_LIST] = "a list",
                                       [KEY_MAPPING] = "keys of its own, below",
                                       [KEY_NAMED] = "names of your own, each with the keys below"};

@@ -48,6 +48,7 @@ static void write_type(json *j, const key_record *r) {
   case KEY_NAME: write_text_or_number(j); break;
   case KEY_FILE: json_string(j, "type", "string"); break;
   case KEY_WORD: write_strings(j, "enum", r->words); break;
+  case KEY_SWITCH: json_string(j, "type", "boolean"); break;
   case KEY_LIST: write_items(j, r); break;
   case KEY_MAPPING: write_set(j, r->items); break;
   case KEY_NAMED: write_named(j, r); break;

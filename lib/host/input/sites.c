@@ -7,6 +7,7 @@
 
 #include "host/base/count.h"
 #include "host/base/file.h"
+#include "host/input/classes.h"
 #include "host/input/frame.h"
 #include "host/input/snap.h"
 
@@ -36,12 +37,27 @@ int sites_add_start(input *in, const input_site *site, input_origin origin, faul
     return site_fault(in, origin, why, what);
   }
   if (check_name(in, "robot", site->name, in->names.seeker, in->start_origin, mission->seekers, origin, why)) return -1;
+  if (classes_join(in, mission->seekers, site->class_name, origin, why)) return -1;
+  in->terms.ready[mission->seekers] = site->ready_seconds;
+  in->terms.stated = in->terms.stated || site->ready_given;
   mission->start[mission->seekers] = frame_cell(in, site->position);
   in->start_origin[mission->seekers] = origin;
   in->start_position[mission->seekers] = site->position;
   memcpy(in->names.seeker[mission->seekers], site->name, sizeof site->name);
   mission->seekers++;
   return 0;
+}
+
+/* The place over the mission. */
+static void state_looks(input *in, unsigned place, const input_site *site) {
+  qtr_mission *mission = &in->mission;
+  input_terms *terms = &in->terms;
+  const double detection = site->detection > 0.0 ? site->detection : terms->detection;
+  const uint8_t looks = site->looks > 0 ? site->looks : terms->looks;
+  mission->detection[place] = detection > 0.0 ? detection : 1.0;
+  mission->looks[place] = looks > 0 ? looks : 1;
+  terms->place_scan[place] = site->scan_given ? site->scan_seconds : INPUT_UNSAID;
+  terms->stated = terms->stated || site->scan_given;
 }
 
 int sites_add_place(input *in, const input_site *site, input_origin origin, fault *why) {
@@ -56,6 +72,7 @@ int sites_add_place(input *in, const input_site *site, input_origin origin, faul
   if (check_name(in, "place", site->name, in->names.place, in->place_origin, mission->places, origin, why)) return -1;
   mission->place[mission->places] = frame_cell(in, site->position);
   mission->weight[mission->places] = site->weight;
+  state_looks(in, mission->places, site);
   in->place_origin[mission->places] = origin;
   in->place_position[mission->places] = site->position;
   memcpy(in->names.place[mission->places], site->name, sizeof site->name);
@@ -113,6 +130,8 @@ static int share_start(input *in, int robots, fault *why) {
   number_shared(in, robots);
   for (int i = 1; i < robots; i++) {
     mission->start[i] = mission->start[0];
+    mission->class_of[i] = mission->class_of[0];
+    in->terms.ready[i] = in->terms.ready[0];
     in->start_origin[i] = in->start_origin[0];
   }
   mission->seekers = (uint8_t)robots;

@@ -265,6 +265,17 @@ tree_node *tree_item(tree *yaml, tree_node *list, int index) {
   return node_at(yaml, list->data.sequence.items.start[index]);
 }
 
+int tree_pairs(tree_node *mapping) {
+  if (mapping->type != YAML_MAPPING_NODE) return -1;
+  return (int)(mapping->data.mapping.pairs.top - mapping->data.mapping.pairs.start);
+}
+
+tree_node *tree_pair(tree *yaml, tree_node *mapping, int index, const char **key) {
+  const yaml_node_pair_t *pair = &mapping->data.mapping.pairs.start[index];
+  *key = scalar_text(node_at(yaml, pair->key));
+  return node_at(yaml, pair->value);
+}
+
 bool tree_plain(tree *yaml, tree_node *node, const char **text) {
   (void)yaml;
   *text = scalar_text(node);

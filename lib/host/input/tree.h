@@ -45,6 +45,10 @@ tree_node *tree_need(tree *yaml, tree_node *mapping, const char *what, const cha
 int tree_count(tree_node *list);
 tree_node *tree_item(tree *yaml, tree_node *list, int index);
 
+/* Pairs of a mapping, -1 if it is none; and the value of one of them with its key, NULL if that is no plain word. */
+int tree_pairs(tree_node *mapping);
+tree_node *tree_pair(tree *yaml, tree_node *mapping, int index, const char **key);
+
 /* Whether a node is a plain value, and its text. */
 bool tree_plain(tree *yaml, tree_node *node, const char **text);
 

@@ -16,6 +16,8 @@ void plan_config_default(plan_config *config) {
 
 int plan_config_check(const plan_config *config, fault *why) {
   if (config->made != MADE) return fault_set(why, "the plan's settings did not come from plan_config_default()");
+  if (config->deadline_seconds > 0.0 && config->aim.kind != PLAN_AS_STATED && config->aim.kind != QTR_DEADLINE)
+    return fault_set(why, "--deadline is the deadline objective's, and --objective asks for another; leave one out");
   /* Times between regions are no bounds. */
   if (!aggregate_by_regions(config->aggregate.way) || config->learner.setting == QTR_SETTING_PAPER) return 0;
   return fault_set(why,

@@ -13,10 +13,11 @@
 enum { PLAN_AS_STATED = 255 }; /* of an objective or a rule: as the input says */
 
 typedef struct {
-  uint32_t made;         /* by plan_config_default(): settings that were not are refused */
-  input_options reading; /* cell size, number of robots, what may be moved or left out */
-  qtr_aim aim;           /* of kind PLAN_AS_STATED: the input's; and so with gamma 0 its gamma */
-  int rule;              /* enum qtr_rule, or PLAN_AS_STATED */
+  uint32_t made;           /* by plan_config_default(): settings that were not are refused */
+  input_options reading;   /* cell size, number of robots, what may be moved or left out */
+  qtr_aim aim;             /* of kind PLAN_AS_STATED: the input's; and so with gamma 0 its gamma */
+  double deadline_seconds; /* above 0: find by then, whatever the input says; 0: as it says */
+  int rule;                /* enum qtr_rule, or PLAN_AS_STATED */
   qtr_learner_config learner;
   aggregate_config aggregate; /* what the learner plays on, beside the true map */
   bool any_starts;            /* the table is to answer for starts in any region, */

@@ -7,15 +7,42 @@
 
 #include "host/base/stop.h"
 #include "host/input/read.h"
+#include "host/plan/terms.h"
+#include "host/plan/unfit.h"
 #include "quarter/status.h"
 
 #define NAMES_SIZE 700
 
-static void override(qtr_mission *mission, const plan_config *config) {
-  const double gamma = config->aim.gamma > 0.0 ? config->aim.gamma : mission->aim.gamma;
-  if (config->aim.kind != PLAN_AS_STATED) mission->aim = config->aim;
+static void override(input *in, const plan_config *config) {
+  qtr_mission *mission = &in->mission;
+  if (config->aim.gamma > 0.0) mission->aim.gamma = config->aim.gamma;
+  if (config->aim.kind != PLAN_AS_STATED) mission->aim.kind = config->aim.kind;
   if (config->rule != PLAN_AS_STATED) mission->rule = (uint8_t)config->rule;
-  mission->aim.gamma = gamma;
+  if (config->deadline_seconds > 0.0) {
+    mission->aim.kind = QTR_DEADLINE;
+    in->terms.deadline_seconds = config->deadline_seconds;
+    in->terms.stated = true;
+  }
+  if (mission->aim.kind == QTR_TIME || mission->aim.home_weight == 0.0) return;
+  notes_add(&in->note, "%s: home_weight counts under --objective time alone, and is left aside", in->path);
+  mission->aim.home_weight = 0.0;
+}
+
+/* What a mission's terms leave no room for. */
+static int check_terms(const input *in, const plan_config *config, fault *why) {
+  const qtr_mission *mission = &in->mission;
+  if ((config->any_starts || config->any_cleared) && terms_depend_on_start(mission))
+    return fault_set(why,
+                     "%s: --starts any and --cleared any take no classes, looks, ready times, endurance, deadline or "
+                     "home_weight yet; leave them out",
+                     in->path);
+  if (config->aggregate.way == AGGREGATE_NONE) return 0;
+  if (aggregate_by_regions(config->aggregate.way) ? terms_any(mission) : terms_leave_no_spots(mission))
+    return fault_set(why,
+                     "%s: --aggregate: regions take none of the field's terms, and spots no classes, looks, ready "
+                     "times, endurance or home_weight; leave it out",
+                     in->path);
+  return 0;
 }
 
 /* "place 3 (file:line), place 5 (file:line), ...", cut off when the room is used up. */
@@ -68,20 +95,21 @@ static int fault_discount(const problem *p, int place, fault *why) {
   qtr_steps nearest = QTR_NEVER;
   char name[300];
   for (unsigned i = 0; i < board->seekers; i++) {
-    const unsigned start = (unsigned)board->places + board->start_of[i];
-    const qtr_steps steps = qtr_board_steps(board, i, start, (unsigned)place);
+    const qtr_steps steps = unfit_way(&p->game, i, (unsigned)place);
     if (steps < nearest) nearest = steps;
   }
   input_place_name(&p->in, place, name, sizeof name);
   return fault_set(why,
                    "%s: gamma %g leaves nothing to tell plans apart by: even the nearest place, %s, is %" PRIu32
                    " steps away; take a gamma nearer 1, such as %g, or --objective time",
-                   p->in.path, p->in.mission.aim.gamma, name, nearest, mild_gamma(nearest));
+                   p->in.path, p->pace.gamma, name, nearest,
+                   mild_gamma((qtr_steps)(nearest * p->pace.seconds_per_step)));
 }
 
 int problem_load(problem *p, const char *path, const plan_config *config, fault *why) {
   if (plan_config_check(config, why) != 0 || input_read(&p->in, path, &config->reading, why) != 0) return -1;
-  override(&p->in.mission, config);
+  override(&p->in, config);
+  if (terms_apply(&p->in, &p->pace, why) != 0 || check_terms(&p->in, config, why) != 0) return -1;
   p->in.mission.watch = stop_watch();
   return 0;
 }
@@ -98,13 +126,14 @@ int problem_measure(problem *p, const plan_config *config, fault *why) {
   const bool some_left_out = p->in.places_stated != p->in.mission.places;
   p->in.mission.number = some_left_out ? p->in.place_number : NULL;
   p->travel_seconds = stop_seconds() - begin;
+  if (status == QTR_OK) unfit_note(&p->in, &p->game, &p->pace);
   notes_print(&p->in.note, 0);
   if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, why);
   /* All places take as long as those that were measured; what comes after them until the first plan takes no time. */
   if (status == QTR_ERR_STOPPED)
     return stop_fault(why, p->in.path, "a first plan",
                       begin + p->travel_seconds * p->in.mission.places / p->game.measured);
-  return status == QTR_OK ? 0 : fault_set(why, "%s: %s", p->in.path, qtr_strerror(status));
+  return status == QTR_OK ? 0 : unfit_fault(&p->in, &p->game, &p->pace, status, culprit, why);
 }
 
 uint32_t problem_free_cells(const problem *p) {

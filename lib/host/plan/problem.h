@@ -4,6 +4,7 @@
 
 #include "host/base/fault.h"
 #include "host/input/input.h"
+#include "host/plan/pace.h"
 #include "host/plan/plan_config.h"
 #include "quarter/game.h"
 
@@ -12,6 +13,7 @@ typedef struct {
   input in;
   qtr_game game;
   qtr_travel travel;
+  pace pace;             /* seconds a step */
   double travel_seconds; /* that the elemental tasks took */
 } problem;
 

@@ -1,0 +1,87 @@
+#include "routes.h"
+
+#include "quarter/travel.h"
+
+void routes_of_play(table_route *routes, const qtr_play *play, const qtr_game *game) {
+  for (int seeker = 0; seeker < game->board.seekers; seeker++) routes[seeker].places = 0;
+  for (int i = 0; i < play->choices; i++) {
+    table_route *route = &routes[play->seeker[i]];
+    const uint16_t place = play->choice[i];
+    if (place == QTR_STAND_DOWN) continue;
+    route->step[route->places] = play->visit[place];
+    route->place[route->places++] = place;
+  }
+}
+
+void routes_to_mission(table_route *routes, const qtr_game *game) {
+  for (int seeker = 0; seeker < game->board.seekers; seeker++)
+    for (int i = 0; i < routes[seeker].places; i++)
+      routes[seeker].place[i] = (uint16_t)qtr_game_place(game, routes[seeker].place[i]);
+}
+
+/* ---- looks ---- */
+
+/* Looks that are made before one, those of one moment in the order of the seekers. */
+static unsigned count_looks(const table_route *routes, int seekers, int seeker, int at) {
+  const uint16_t place = routes[seeker].place[at];
+  const qtr_steps when = routes[seeker].step[at];
+  unsigned before = 0;
+  for (int other = 0; other < seekers; other++)
+    for (int i = 0; i < routes[other].places; i++)
+      if (routes[other].place[i] == place)
+        before += routes[other].step[i] < when ||
+                  (routes[other].step[i] == when && (other < seeker || (other == seeker && i < at)));
+  return before;
+}
+
+/* ---- metres ---- */
+
+static qtr_grid ground_of(const qtr_mission *mission, int seeker) {
+  qtr_grid grid = qtr_mission_grid(mission);
+  if (mission->robot_class[mission->class_of[seeker]].smooth_only) grid.encoding = QTR_GRID_SMOOTH;
+  return grid;
+}
+
+static double cells_between(problem *p, int seeker, qtr_cell from, qtr_cell to) {
+  const qtr_grid grid = ground_of(&p->in.mission, seeker);
+  double cells = 0.0;
+  if (from == to || qtr_travel_fill(&p->travel, &grid, to) != QTR_OK) return 0.0;
+  for (qtr_cell at = from; at != to && at != QTR_NO_CELL; at = qtr_travel_next(&p->travel, &grid, at)) cells++;
+  return cells;
+}
+
+static void measure_metres(route_units *units, const table_route *route, problem *p, int seeker) {
+  const qtr_mission *mission = &p->in.mission;
+  qtr_cell at = mission->start[seeker];
+  double cells = 0.0;
+  for (int i = 0; i < route->places; i++) {
+    const qtr_cell to = mission->place[route->place[i]];
+    cells += cells_between(p, seeker, at, to);
+    units->metres[seeker][i] = cells * p->in.frame.cell_size;
+    at = to;
+  }
+}
+
+void routes_measure(route_units *units, const table_route *routes, problem *p) {
+  const qtr_mission *mission = &p->in.mission;
+  units->seconds = p->pace.stated;
+  units->seconds_per_step = p->pace.seconds_per_step;
+  units->metric = p->in.frame.metric;
+  units->looks = false;
+  for (int place = 0; place < mission->places; place++) units->looks = units->looks || mission->looks[place] > 1;
+  for (int seeker = 0; seeker < mission->seekers; seeker++) {
+    for (int i = 0; i < routes[seeker].places; i++)
+      units->look[seeker][i] = (uint8_t)(count_looks(routes, mission->seekers, seeker, i) + 1u);
+    if (units->metric) measure_metres(units, &routes[seeker], p, seeker);
+  }
+}
+
+int routes_left_out(uint16_t *places, const table_route *routes, const qtr_mission *mission) {
+  bool on_route[QTR_MAX_PLACES] = {false};
+  int count = 0;
+  for (int seeker = 0; seeker < mission->seekers; seeker++)
+    for (int i = 0; i < routes[seeker].places; i++) on_route[routes[seeker].place[i]] = true;
+  for (int place = 0; place < mission->places; place++)
+    if (!on_route[place]) places[count++] = (uint16_t)place;
+  return count;
+}

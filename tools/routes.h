@@ -1,0 +1,34 @@
+/* The robots' routes of a report: taken of a game, told in the mission's places, in looks, seconds and metres. */
+#ifndef QUARTER_TOOLS_ROUTES_H
+#define QUARTER_TOOLS_ROUTES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "host/plan/problem.h"
+#include "host/table/table.h"
+#include "quarter/play.h"
+
+/* What is told of routes beside places and steps. */
+typedef struct {
+  bool seconds; /* people are told of seconds, too */
+  double seconds_per_step;
+  bool looks;                                    /* places may be on them several times, */
+  uint8_t look[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* and this is the how many-th look, from 1 */
+  bool metric;
+  double metres[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* from the start to each place, where the map has metres */
+} route_units;
+
+/* The routes of a game as it was played, one for each seeker; places are the game's. */
+void routes_of_play(table_route *routes, const qtr_play *play, const qtr_game *game);
+
+/* The game's places made the mission's, of which they are looks. */
+void routes_to_mission(table_route *routes, const qtr_game *game);
+
+/* All that is told of routes whose places are the mission's. The problem's travel times are scratch. */
+void routes_measure(route_units *units, const table_route *routes, problem *p);
+
+/* The mission's places that are on no route. Their number. */
+int routes_left_out(uint16_t *places, const table_route *routes, const qtr_mission *mission);
+
+#endif
