@@ -27,6 +27,7 @@ int replan_begin(replan *c, const char *path, const char *output, fault *why) {
   }
   table_routes(&c->t, c->route);
   c->expected_time = table_certificate_of(&c->t.policy).expected_time;
+  c->expected_seconds = c->expected_time * (c->t.claim.step_time_us > 0 ? c->t.claim.step_time_us / 1e6 : 1.0);
   return 0;
 }
 
@@ -58,10 +59,10 @@ static bool passes_on(pair *robots, const replan *c, const naming *n, const tabl
   return strcmp(robots->before.text, robots->after.text) != 0;
 }
 
-static bool is_same(const replan *c, const naming *n, const table_route *routes, double expected_time) {
+static bool is_same(const replan *c, const naming *n, const table_route *routes, double seconds) {
   const naming before = table_naming(&c->t);
   pair robots;
-  bool same = fabs(expected_time - c->expected_time) <= 1e-9 * c->expected_time && before.places == n->places;
+  bool same = fabs(seconds - c->expected_seconds) <= 1e-6 * c->expected_seconds && before.places == n->places;
   for (int place = 0; place < n->places && same; place++)
     same = naming_same_place(n, place, &before) != NOBODY && !passes_on(&robots, c, n, routes, place);
   return same;
@@ -87,11 +88,16 @@ static void write_passed_on(FILE *out, const replan *c, const naming *n, const t
   if (count > 0) fputc('\n', out);
 }
 
-void replan_write(FILE *out, const replan *c, const naming *n, const table_route *routes, double expected_time) {
+void replan_write(FILE *out, const replan *c, const naming *n, const table_route *routes, double expected_time,
+                  const pace *p) {
+  const double seconds = expected_time * p->seconds_per_step;
   const naming before = table_naming(&c->t);
-  if (c->path == NULL || (!c->asked && is_same(c, n, routes, expected_time))) return;
-  fprintf(out, "against %s: expected time %s, was %.6g\n", c->path, measured(expected_time, "step").text,
-          c->expected_time);
+  if (c->path == NULL || (!c->asked && is_same(c, n, routes, seconds))) return;
+  if (p->stated)
+    fprintf(out, "against %s: expected time %.6g s, was %.6g\n", c->path, seconds, c->expected_seconds);
+  else
+    fprintf(out, "against %s: expected time %s, was %.6g\n", c->path, measured(seconds, "step").text,
+            c->expected_seconds);
   write_absent(out, "  gone: ", &before, n);
   write_absent(out, "  new: ", n, &before);
   write_passed_on(out, c, n, routes);

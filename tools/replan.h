@@ -7,6 +7,7 @@
 
 #include "host/base/fault.h"
 #include "host/base/json.h"
+#include "host/plan/pace.h"
 #include "host/table/table.h"
 
 /* The older plan. */
@@ -15,7 +16,7 @@ typedef struct {
   bool asked;       /* for: else there is nothing to say of a plan that is the same */
   table t;
   table_route route[QTR_MAX_SEEKERS];
-  double expected_time;
+  double expected_time, expected_seconds;
 } replan;
 
 /* Read the table at `path`; or, where that is NULL, the one at `output` that is about to be replaced, if there is one.
@@ -23,7 +24,8 @@ typedef struct {
 int replan_begin(replan *c, const char *path, const char *output, fault *why);
 
 /* Text and the member "against", of the new plan's routes; nothing where there is no older one. */
-void replan_write(FILE *out, const replan *c, const naming *n, const table_route *routes, double expected_time);
+void replan_write(FILE *out, const replan *c, const naming *n, const table_route *routes, double expected_time,
+                  const pace *p);
 void replan_json(json *j, const replan *c, const naming *n, const table_route *routes);
 
 #endif

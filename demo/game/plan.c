@@ -76,31 +76,32 @@ static bool same_map(const table *t, const qtr_mission *mission) {
   return true;
 }
 
-static bool same_likelihoods(const table *t, const qtr_mission *mission) {
-  double sum = 0.0;
-  for (unsigned place = 0; place < mission->places; place++) sum += mission->weight[place];
-  for (unsigned place = 0; place < mission->places; place++)
-    if (fabs(table_probability(t, place) - mission->weight[place] / sum) > 1e-6) return false;
+static bool same_likelihoods(const table *t, const qtr_game *game) {
+  for (unsigned place = 0; place < game->board.places; place++)
+    if (fabs(table_probability(t, place) - game->probability[place]) > 1e-6) return false;
   return true;
 }
 
-static const char *difference(const table *t, const qtr_mission *mission) {
+/* Places are the game's: several looks at one of the mission's are so many. */
+static const char *difference(const table *t, const qtr_game *game) {
+  const qtr_mission *mission = game->mission;
   const qtr_policy *policy = &t->policy;
   if (!same_map(t, mission)) return "its map is another one";
-  if (policy->board.places != mission->places) return "it has other places";
-  for (unsigned place = 0; place < mission->places; place++)
-    if (on_map(t, mission, qtr_policy_cell(policy, place)) != mission->place[place]) return "its places lie elsewhere";
+  if (policy->board.places != game->board.places) return "it has other places";
+  for (unsigned place = 0; place < game->board.places; place++)
+    if (on_map(t, mission, qtr_policy_cell(policy, place)) != mission->place[qtr_game_place(game, place)])
+      return "its places lie elsewhere";
   if (policy->board.seekers != mission->seekers) return "it is for another number of robots";
   for (unsigned i = 0; i < mission->seekers; i++)
-    if (on_map(t, mission, qtr_policy_cell(policy, (unsigned)mission->places + policy->board.start_of[i])) !=
+    if (on_map(t, mission, qtr_policy_cell(policy, (unsigned)game->board.places + policy->board.start_of[i])) !=
         mission->start[i])
       return "its robots start elsewhere";
-  return same_likelihoods(t, mission) ? NULL : "its likelihoods are others";
+  return same_likelihoods(t, game) ? NULL : "its likelihoods are others";
 }
 
 static int read_table(table *t, const char *path, fault *why) {
   if (table_read(t, path, why) != 0) return -1;
-  const char *other = difference(t, &learnt->p.in.mission);
+  const char *other = difference(t, &learnt->p.game);
   if (other == NULL) return 0;
   table_free(t);
   return fault_set(why, "%s: this table is not of %s: %s; learn it again with 'quarter learn %s -o %s'", path,
