@@ -11,6 +11,7 @@ int command_belief(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_draw(int argc, char **argv);
 int command_keys(int argc, char **argv);
+int command_check(int argc, char **argv);
 int command_export(int argc, char **argv);
 
 #endif

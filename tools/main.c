@@ -14,6 +14,7 @@
 
 static const char help[] =
     "quarter learn mission.yaml -o mission.qtr     divide the area among the robots, with a certificate\n"
+    "quarter check mission.yaml                    every fault of a mission at once, without learning\n"
     "quarter simulate mission.qtr --lost 1@40      play the policy, robots late or lost\n"
     "quarter draw mission.qtr -o mission.svg       a picture of the map, the territories and the routes\n"
     "quarter export mission.qtr -o ways.csv        the ways for others: GPX, QGroundControl, Nav2 ...\n"
@@ -34,10 +35,10 @@ static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
 } commands[] = {
-    {"learn", command_learn},     {"exact", command_exact},     {"simulate", command_simulate},
-    {"inspect", command_inspect}, {"compare", command_compare}, {"draw", command_draw},
-    {"export", command_export},   {"tune", command_tune},       {"belief", command_belief},
-    {"keys", command_keys},
+    {"check", command_check},       {"learn", command_learn},     {"exact", command_exact},
+    {"simulate", command_simulate}, {"inspect", command_inspect}, {"compare", command_compare},
+    {"draw", command_draw},         {"export", command_export},   {"tune", command_tune},
+    {"belief", command_belief},     {"keys", command_keys},
 };
 
 static void refuse_command(const char *word) {

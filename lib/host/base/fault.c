@@ -40,6 +40,21 @@ int fault_add(fault *why, const char *format, ...) {
   return -1;
 }
 
+bool fault_keep(fault *all, fault *why) {
+  if (all == NULL) return false;
+  for (char *line = why->text; line != NULL && *line != '\0';) {
+    char *end = strchr(line, '\n');
+    if (end != NULL) *end = '\0';
+    if (all->text[0] == '\0')
+      fault_set(all, "%s", line);
+    else
+      fault_add(all, "%s", line);
+    line = end != NULL ? end + 1 : NULL;
+  }
+  why->text[0] = '\0';
+  return true;
+}
+
 int fault_exit(const fault *why) {
   for (const char *line = why->text; line != NULL;) {
     const char *end = strchr(line, '\n');

@@ -2,6 +2,7 @@
 #ifndef QUARTER_HOST_FAULT_H
 #define QUARTER_HOST_FAULT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Exit statuses of `quarter`. */
@@ -27,6 +28,10 @@ int fault_set(fault *why, const char *format, ...) __attribute__((format(printf,
 
 /* Add a line below what is there; "..." stands for those that no longer fit. Always returns -1. */
 int fault_add(fault *why, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Add the lines of *why to those gathered in *all, which begins empty, so that what follows may be looked at too. False
+ * where nothing is gathered (NULL): the first fault ends it. */
+bool fault_keep(fault *all, fault *why);
 
 /* Text in one line that does not steer a terminal: names and contents of files end up in messages. */
 void fault_clean(char *text);

@@ -202,8 +202,9 @@ int csv_read(input *in, file_bytes *bytes, fault *why) {
   if (foreign != NULL && strncmp(foreign, "a CSV", 5) != 0) return file_fault(why, in->csv, 0, 0, "is %s", foreign);
   r = (reading){.in = in, .why = why};
   separated_begin(&r.rows, bytes, in->csv, why);
-  while ((more = separated_next(&r.rows)) > 0)
-    if ((r.columns > 0 ? read_place(&r) : read_header(&r)) != 0) return -1;
+  if ((more = separated_next(&r.rows)) > 0 && read_header(&r) != 0) return -1;
+  while (more > 0 && (more = separated_next(&r.rows)) > 0)
+    if (!input_goes_on(in, read_place(&r), why)) return -1;
   if (more < 0 || r.columns > 0) return more;
   return file_fault(why, in->csv, 0, 0, "holds no header; start it with \"x,y,weight\"");
 }

@@ -44,6 +44,12 @@ void input_keep_robot(input *in, int to, int from) {
   if (to != from) memcpy(in->names.seeker[to], in->names.seeker[from], sizeof in->names.seeker[to]);
 }
 
+bool input_goes_on(input *in, int status, fault *why) {
+  if (status == 0) return true;
+  in->failed = true;
+  return fault_keep(in->all, why);
+}
+
 naming input_naming(const input *in) {
   return (naming){&in->names, in->place_number, in->mission.places, in->mission.seekers};
 }

@@ -111,6 +111,8 @@ typedef struct {
   input_position place_position[QTR_MAX_PLACES];
   uint16_t place_number[QTR_MAX_PLACES]; /* in the input, where places may have been left out; ascending */
   uint16_t places_stated;                /* in the input, the ones left out included */
+  fault *all;                            /* where faults are gathered; NULL: the first one ends the reading */
+  bool failed;                           /* and there was one */
   qtr_places cleared;                    /* by their numbers: searched before the start */
   notes note;
   int map_notes; /* as many of them, the first, are about the map as ground to drive on */
@@ -121,6 +123,7 @@ typedef struct {
   int robots;       /* overrides; 0: as many as the input has starts */
   double snap;      /* metres, cells on a map without: as far may a start or place be moved to a free cell */
   bool skip;        /* leave out places that are on no free cell */
+  fault *all;       /* gather all faults here, a line each, in place of the first alone; NULL: do not */
   /* words of the caller's, which choose.h makes sense of */
   int clears, withouts, adds;
   const char *clear[INPUT_WORDS];   /* lists of places that are cleared */
@@ -130,6 +133,9 @@ typedef struct {
 
 /* The path of the file in which a start or place is stated. */
 const char *input_source_path(const input *in, input_origin origin);
+
+/* Whether to go on reading after a step that gave `status`: it went well, or faults are gathered. */
+bool input_goes_on(input *in, int status, fault *why);
 
 /* What places and robots are called. */
 naming input_naming(const input *in);

@@ -236,9 +236,16 @@ static int read_key(void *settings, const key_record *r, tree *yaml, tree_node *
 int keys_read(void *settings, const key_set *set, tree *yaml, tree_node *mapping, const char *what, int *group) {
   const char *names[TREE_KEYS_MOST + 1];
   keys_words(names, set);
-  if (tree_check_keys(yaml, mapping, what, names, false)) return -1;
-  if (set->either != NULL && check_either(set, yaml, mapping, what, group)) return -1;
-  for (const key_record *r = set->records; r->name != NULL; r++)
-    if (read_key(settings, r, yaml, mapping, what)) return -1;
-  return 0;
+  int status = tree_check_keys(yaml, mapping, what, names, false);
+  if (status != 0 && (!fault_keep(yaml->all, yaml->why) || tree_pairs(mapping) < 0)) return -1;
+  if (set->either != NULL && check_either(set, yaml, mapping, what, group)) {
+    if (!fault_keep(yaml->all, yaml->why)) return -1;
+    status = -1;
+  }
+  for (const key_record *r = set->records; r->name != NULL; r++) {
+    if (read_key(settings, r, yaml, mapping, what) == 0) continue;
+    if (!fault_keep(yaml->all, yaml->why)) return -1;
+    status = -1;
+  }
+  return status;
 }

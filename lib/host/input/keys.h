@@ -66,7 +66,8 @@ struct key_set {
 
 /* Read the mapping's keys into `settings`, which hold their defaults: its keys are known ones, each there once, none is
  * missing, and values are in their ranges. `what` names the mapping ("place 3"). *group, which may be NULL, is the
- * group of `either` that is given. 0, or -1 with the fault set. */
+ * group of `either` that is given. 0, or -1 with the fault set; where the tree gathers faults, with all of them
+ * there. */
 int keys_read(void *settings, const key_set *set, tree *yaml, tree_node *mapping, const char *what, int *group);
 
 /* The value of one key out of any file. KEY_LIST and its like are none of these. */

@@ -93,37 +93,44 @@ static int read_site(input_site *site, const key_set *set, tree *yaml, tree_node
   return 0;
 }
 
+/* The items of a list, each by `read_item`. */
+static int read_list(input *in, tree *yaml, tree_node *list,
+                     int (*read_item)(input *in, tree *yaml, tree_node *item, int index)) {
+  const int count = list == NULL ? 0 : tree_count(list);
+  for (int i = 0; i < count; i++)
+    if (!input_goes_on(in, read_item(in, yaml, tree_item(yaml, list, i), i), yaml->why)) return -1;
+  return 0;
+}
+
+static int read_robot(input *in, tree *yaml, tree_node *item, int index) {
+  char what[32];
+  input_site site;
+  const input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
+  snprintf(what, sizeof what, "robot %d", index);
+  if (read_site(&site, &mission_robot_keys, yaml, item, what)) return -1;
+  return sites_add_start(in, &site, origin, yaml->why);
+}
+
+static int read_place(input *in, tree *yaml, tree_node *item, int index) {
+  char what[32];
+  input_site site;
+  const input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
+  snprintf(what, sizeof what, "place %d", index);
+  if (read_site(&site, &mission_place_keys, yaml, item, what)) return -1;
+  return sites_add_place(in, &site, origin, yaml->why);
+}
+
 static int read_robots(input *in, tree *yaml, tree_node *root) {
   tree_node *list = tree_find(yaml, root, "robots");
-  const int count = list == NULL ? 0 : tree_count(list);
-  for (int i = 0; i < count; i++) {
-    tree_node *item = tree_item(yaml, list, i);
-    char what[32];
-    input_site site;
-    snprintf(what, sizeof what, "robot %d", i);
-    if (read_site(&site, &mission_robot_keys, yaml, item, what)) return -1;
-    input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
-    if (sites_add_start(in, &site, origin, yaml->why)) return -1;
-  }
-  if (in->mission.seekers > 0) return 0;
+  if (read_list(in, yaml, list, read_robot)) return -1;
+  if (in->mission.seekers > 0 || in->failed) return 0;
   if (list != NULL)
     return tree_fault(yaml, list, "'robots' is empty; list one at least: \"robots: [{x: 0.5, y: 1.5}]\"");
   return file_fault(yaml->why, yaml->path, 0, 0, "no robot starts anywhere; add \"robots: [{x: 0.5, y: 1.5}]\"");
 }
 
 static int read_places(input *in, tree *yaml, tree_node *root) {
-  tree_node *list = tree_find(yaml, root, "places");
-  const int count = list == NULL ? 0 : tree_count(list);
-  for (int i = 0; i < count; i++) {
-    tree_node *item = tree_item(yaml, list, i);
-    char what[32];
-    input_site site;
-    snprintf(what, sizeof what, "place %d", i);
-    if (read_site(&site, &mission_place_keys, yaml, item, what)) return -1;
-    input_origin origin = {INPUT_FROM_MISSION, tree_line(item), 0};
-    if (sites_add_place(in, &site, origin, yaml->why)) return -1;
-  }
-  return 0;
+  return read_list(in, yaml, tree_find(yaml, root, "places"), read_place);
 }
 
 static int read_csv(input *in, tree *yaml, tree_node *root) {
@@ -136,16 +143,29 @@ static int read_csv(input *in, tree *yaml, tree_node *root) {
   return result;
 }
 
-static int read_sites(input *in, tree *yaml, tree_node *root) {
-  if (read_robots(in, yaml, root) || read_places(in, yaml, root) || read_csv(in, yaml, root)) return -1;
-  return classes_finish(in, yaml, root);
+/* What names places means little where not all could be read. */
+static int read_rest(input *in, tree *yaml, tree_node *root, const input_options *options) {
+  if (in->failed) return 0;
+  if (classes_finish(in, yaml, root)) return -1;
+  if (in->mission.places > 0 || options->adds > 0) return choose_cleared(in, yaml, root);
+  return file_fault(yaml->why, yaml->path, 0, 0,
+                    "no place to visit; list one at least under 'places', or name a 'places_csv'");
+}
+
+/* The map, and where it lies: without a map named there is none. */
+static int read_ground(input *in, tree *yaml, tree_node *root, const input_options *options) {
+  if (tree_find(yaml, root, "map") == NULL) return 0;
+  return read_map(in, yaml, root, options) || geo_read(in, yaml, root) ? -1 : 0;
 }
 
 int mission_file_read(input *in, tree *yaml, const input_options *options) {
   tree_node *root = tree_root(yaml);
-  if (keys_read(in, &mission_keys, yaml, root, "the mission", NULL) || classes_read(in, yaml, root)) return -1;
-  if (read_map(in, yaml, root, options) || geo_read(in, yaml, root) || read_sites(in, yaml, root)) return -1;
-  if (in->mission.places > 0 || options->adds > 0) return choose_cleared(in, yaml, root);
-  return file_fault(yaml->why, yaml->path, 0, 0,
-                    "no place to visit; list one at least under 'places', or name a 'places_csv'");
+  yaml->all = in->all;
+  if (!input_goes_on(in, keys_read(in, &mission_keys, yaml, root, "the mission", NULL), yaml->why)) return -1;
+  if (!input_goes_on(in, classes_read(in, yaml, root), yaml->why)) return -1;
+  if (!input_goes_on(in, read_ground(in, yaml, root, options), yaml->why)) return -1;
+  if (!input_goes_on(in, read_robots(in, yaml, root), yaml->why)) return -1;
+  if (!input_goes_on(in, read_places(in, yaml, root), yaml->why)) return -1;
+  if (!input_goes_on(in, read_csv(in, yaml, root), yaml->why)) return -1;
+  return input_goes_on(in, read_rest(in, yaml, root, options), yaml->why) ? 0 : -1;
 }

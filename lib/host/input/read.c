@@ -83,9 +83,25 @@ static int read_bytes(input *in, const file_bytes *bytes, const input_options *o
   }
 }
 
+/* Words for places mean little where not all could be read. */
+static int choose(input *in, const input_options *options, fault *why) {
+  if (in->failed) return 0;
+  return choose_added(in, options, why) != 0 ? -1 : choose_rest(in, options, why);
+}
+
+/* Places cannot be judged where there is no map. */
+static int finish(input *in, const input_options *options, fault *why) {
+  const qtr_mission *mission = &in->mission;
+  if (!input_goes_on(in, choose(in, options, why), why)) return -1;
+  const bool is_whole = mission->columns > 0 && mission->seekers > 0 && mission->places > 0;
+  if (is_whole && !input_goes_on(in, sites_finish(in, options, why), why)) return -1;
+  return in->failed ? -1 : 0;
+}
+
 int input_read(input *in, const char *path, const input_options *options, fault *why) {
   file_bytes bytes;
   memset(in, 0, sizeof *in);
+  in->all = options->all;
   qtr_mission_default(&in->mission);
   in->frame.cell_size = 1.0;
   if (strlen(path) >= sizeof in->path)
@@ -98,8 +114,7 @@ int input_read(input *in, const char *path, const input_options *options, fault 
   if (file_read(&bytes, path, FILE_MAP_LIMIT, NULL, why)) return -1;
   int result = read_bytes(in, &bytes, options, why);
   file_free(&bytes);
-  if (result != 0) return -1;
+  if (!input_goes_on(in, result, why)) return -1;
   frame_in_um(&in->frame, &in->mission.frame);
-  if (choose_added(in, options, why) || choose_rest(in, options, why)) return -1;
-  return sites_finish(in, options, why);
+  return finish(in, options, why);
 }

@@ -161,7 +161,7 @@ static int load(tree *yaml, yaml_parser_t *parser, const file_bytes *bytes) {
 
 int tree_read(tree *yaml, const char *path, const file_bytes *bytes, fault *why) {
   yaml_parser_t parser;
-  *yaml = (tree){path, why, NULL};
+  *yaml = (tree){path, why, NULL, NULL};
   if (bytes->size > FILE_TEXT_LIMIT) {
     return file_fault(why, path, 0, 0,
                       "holds more than the %zu MiB that a YAML may have; check that it is the right one",
@@ -215,29 +215,32 @@ static int known_index(const char *key, tree_keys known) {
   return -1;
 }
 
+/* A key of a mapping; line_of[] is where the known ones were met. */
+static int check_key(tree *yaml, tree_node *key, const char *what, tree_keys known, bool others, int *line_of) {
+  const char *text = scalar_text(key);
+  if (text == NULL) return tree_fault(yaml, key, "a key of %s is not a plain word; check the line", what);
+  const int index = known_index(text, known);
+  if (index < 0) return others && near_word(text, known) == NULL ? 0 : unknown_key(yaml, key, what, text, known);
+  if (line_of[index] != 0)
+    return tree_fault(yaml, key, "key '%s' of %s is there twice (first in line %d); keep one", text, what,
+                      line_of[index]);
+  line_of[index] = tree_line(key);
+  return 0;
+}
+
 int tree_check_keys(tree *yaml, tree_node *node, const char *what, tree_keys known, bool others) {
-  int line_of[TREE_KEYS_MOST] = {0};
+  int line_of[TREE_KEYS_MOST] = {0}, status = 0;
   if (node->type != YAML_MAPPING_NODE) {
     char list[TREE_KEYS_LIST];
     near_list(list, sizeof list, known);
     return tree_fault(yaml, node, "%s is not a mapping; give it the keys %s", what, list);
   }
   for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++) {
-    tree_node *key = node_at(yaml, pair->key);
-    const char *text = scalar_text(key);
-    if (text == NULL) return tree_fault(yaml, key, "a key of %s is not a plain word; check the line", what);
-    int index = known_index(text, known);
-    if (index < 0) {
-      if (others && near_word(text, known) == NULL) continue;
-      return unknown_key(yaml, key, what, text, known);
-    }
-    if (line_of[index] != 0) {
-      return tree_fault(yaml, key, "key '%s' of %s is there twice (first in line %d); keep one", text, what,
-                        line_of[index]);
-    }
-    line_of[index] = tree_line(key);
+    if (check_key(yaml, node_at(yaml, pair->key), what, known, others, line_of) == 0) continue;
+    status = -1;
+    if (!fault_keep(yaml->all, yaml->why)) return -1;
   }
-  return 0;
+  return status;
 }
 
 tree_node *tree_find(tree *yaml, tree_node *mapping, const char *key) {

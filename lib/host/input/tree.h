@@ -12,6 +12,7 @@
 typedef struct {
   const char *path; /* for faults; must outlive the tree */
   fault *why;       /* where they go */
+  fault *all; /* where they are gathered, so that reading goes on; NULL, as tree_read() has it: the first ends it */
   struct yaml_document_s *document;
 } tree;
 
