@@ -108,6 +108,18 @@ static void write_json(FILE *out, const void *what) {
   json_end_object(&j);
 }
 
+/* Robots that meet states which nobody learnt go by their rule: no certificate covers that. */
+static void write_off_table(FILE *out, const simulation *s, const options *o) {
+  if (s->off_table == 0 || o->plan.reading.clears == 0) return;
+  fputs("the table was not learnt for these places cleared, and where it has no answer robots go by their rule; a plan "
+        "of "
+        "the\nrest is certified: quarter learn MISSION --clear",
+        out);
+  for (int i = 0; i < o->plan.reading.clears; i++)
+    fprintf(out, "%s'%s'", i > 0 ? " --clear " : " ", o->plan.reading.clear[i]);
+  fputc('\n', out);
+}
+
 static void write_text(FILE *out, const void *what) {
   const account *a = what;
   const simulation *s = &a->s;
@@ -128,6 +140,7 @@ static void write_text(FILE *out, const void *what) {
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
     fprintf(out, "discounted value %.6g, expected time %s\n", s->value, measured(s->expected_time, "step").text);
+  write_off_table(out, s, o);
 }
 
 /* The cells that the options put the seekers on. */

@@ -78,7 +78,7 @@ static void test_options_take_names(void) {
   run_well("learn names.yaml -q -o n.qtr");
   run_well("simulate n.qtr --clear 'Bay 3,A&B' --lost Alpha@0");
   expect_out("seeker 1  place 1\n");
-  TEST_ASSERT_NULL_MESSAGE(strstr(r.out, "Bay 3"), r.out);
+  TEST_ASSERT_NULL_MESSAGE(strstr(r.out, "place Bay 3"), r.out);
   run_well("simulate n.qtr --target 'Bay 3' --late Alpha:+5");
   expect_out("target found at place Bay 3");
   refuse("simulate n.qtr --target Bya3", "--target: there is no place Bya3");

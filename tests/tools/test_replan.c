@@ -56,6 +56,17 @@ static void test_a_plan_that_cannot_be_read_is_replaced_without_a_word(void) {
   run_well("inspect plan.qtr -q");
 }
 
+/* A table for the whole mission has no answers for the rest of it, and says so. */
+static void test_a_game_off_the_table_says_so_and_what_helps(void) {
+  run_well("learn replan.yaml -q -o plan.qtr");
+  run_well("simulate plan.qtr --clear Near");
+  expect_out("off the table");
+  expect_out("quarter learn MISSION --clear 'Near'\n");
+  run_well("learn replan.yaml -q --cleared any -o plan.qtr");
+  run_well("simulate plan.qtr --clear Near");
+  TEST_ASSERT_NULL_MESSAGE(strstr(r.out, "quarter learn"), r.out);
+}
+
 static void test_a_plan_is_compared_with_any_other(void) {
   run_well("learn replan.yaml -q -o plan.qtr");
   run_well("learn rest.yaml --against plan.qtr --json");
@@ -72,6 +83,7 @@ int main(void) {
   RUN_TEST(test_the_rest_is_worth_what_a_mission_of_the_rest_alone_is);
   RUN_TEST(test_what_changes_is_told_when_a_plan_is_replaced);
   RUN_TEST(test_a_plan_that_cannot_be_read_is_replaced_without_a_word);
+  RUN_TEST(test_a_game_off_the_table_says_so_and_what_helps);
   RUN_TEST(test_a_plan_is_compared_with_any_other);
   return UNITY_END();
 }
