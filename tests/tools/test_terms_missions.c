@@ -184,6 +184,43 @@ static void test_what_is_not_for_terms(void) {
   TEST_ASSERT_NOT_NULL(strstr(learnt.err, "--deadline is the deadline objective's"));
 }
 
+/* Robots would play another game by it than was learnt. */
+static void test_no_table_is_written_that_lacks_the_terms(void) {
+  static const char *const terms[] = {"scan_seconds: 1\n", "detection: 0.9\nscan_seconds: 1\n", "step_seconds: 0.5\n",
+                                      "objective: time\nhome_weight: 1\n",
+                                      "objective: deadline\ndeadline_seconds: 60\n"};
+  for (int i = 0; i < 5; i++) {
+    char text[400];
+    snprintf(text, sizeof text, MAP ONE "places: [{column: 2, row: 0}]\n%s", terms[i]);
+    refuse(text, "-o t.qtr", "a policy table cannot hold the mission's terms yet", "without a table");
+    TEST_ASSERT_NULL(fopen("t.qtr", "rb"));
+  }
+}
+
+/* Metres over speed, and scans: what a step rounds is less than 1 % of a way, and less than a step a scan. */
+static void test_seconds_of_routes_are_those_of_metres_and_scans(void) {
+  write_file("m.yaml", MAP "scan_seconds: 10\nclasses: {a: {speed: 1.3}, b: {speed: 4, scan_seconds: 3}}\nrobots: "
+                           "[{column: 0, row: 0, class: a}, {column: 0, row: 3, class: b}]\nplaces:\n"
+                           " - {column: 4, row: 0}\n - {column: 8, row: 0}\n - {column: 4, row: 3}\n"
+                           " - {column: 8, row: 3}\n - {column: 2, row: 3}\n");
+  run_tool(&learnt, "learn m.yaml --objective time --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, learnt.status, learnt.err);
+  const double step = json_value(learnt.out, "seconds_per_step"), speeds[] = {1.3, 4.0}, scans[] = {10.0, 3.0};
+  const char *at = learnt.out;
+  int seen = 0;
+  for (int robot = 0; robot < 2; robot++) {
+    const char *seconds = strstr(at, "\"seconds\": [") + 11, *metres = strstr(at, "\"metres\": [") + 10;
+    for (int i = 1; *metres != ']'; i++, seen++) {
+      char *end;
+      const double took = strtod(seconds + 1, &end), way = strtod(metres + 1, (char **)&metres) / speeds[robot];
+      seconds = end;
+      TEST_ASSERT_DOUBLE_WITHIN(0.01 * way + i * step + 1e-9, way + i * scans[robot], took);
+    }
+    at = metres;
+  }
+  TEST_ASSERT_EQUAL_INT(5, seen);
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_two_classes_with_scans_and_looks_are_learnt_as_exact_solves_them);
@@ -197,5 +234,7 @@ int main(void) {
   RUN_TEST(test_a_class_of_nobody_is_warned_of);
   RUN_TEST(test_what_cannot_be_played);
   RUN_TEST(test_what_is_not_for_terms);
+  RUN_TEST(test_no_table_is_written_that_lacks_the_terms);
+  RUN_TEST(test_seconds_of_routes_are_those_of_metres_and_scans);
   return UNITY_END();
 }
