@@ -47,7 +47,21 @@ static void write_text(FILE *out, const void *what) {
       "breaks are quoted (RFC\n"
       "4180). Where the header has `;` between its columns, numbers may have commas: `0,5`. Blank lines and lines that "
       "begin with `#` are\n"
-      "passed over.\n",
+      "passed over.\n"
+      "\n## A raster of likelihoods\n"
+      "The file of `places_raster` is a PGM, a PNG or an ESRI ASCII grid. An image covers the map exactly, whatever "
+      "its "
+      "resolution; black\n"
+      "is no likelihood, white the most. A grid says where it lies: `xllcorner`, `yllcorner` and `cellsize` are metres "
+      "in the map frame\n"
+      "(cells from the lower left corner, on a map without metres), `NODATA_value` is no likelihood. The ground is cut "
+      "into tiles of\n"
+      "`footprint` a side, from the map's lower left corner on. A tile that a robot can get into is a place at the "
+      "free "
+      "cell nearest to\n"
+      "the middle of its likelihood, which is the place's weight, in the raster's unit. The likeliest tiles are taken, "
+      "and come behind\n"
+      "the places of `places` and `places_csv`, the likeliest first.\n",
       out);
 }
 

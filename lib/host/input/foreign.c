@@ -31,7 +31,7 @@ static const struct {
     {"<", {"<sdf"}, "a Gazebo world, which is not read; save the robot's map of it; " MAPS},
     {"<", {"<html"}, "a web page, which is not read; " MAPS},
     {"<", {NULL}, "an XML file, which is not read; " MAPS},
-    {"ncols", {NULL}, "an ESRI ASCII grid, which is not read; draw it with # and . a cell; " MAPS},
+    {"ncols", {NULL}, "an ESRI ASCII grid, which is no map; likelihoods go under places_raster; " MAPS},
     {"version 1",
      {NULL},
      "a Moving AI scenario, which is not read; name the .map that it is about, and its points as places"},

@@ -3,8 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* 0.6 / 0.2 is a hair below 3 in binary: a point that close to a line between cells is on it. */
-static double settle(double cells) {
+double frame_settle(double cells) {
   double nearest = round(cells);
   return fabs(cells - nearest) < 1e-6 ? nearest : cells;
 }
@@ -14,8 +13,8 @@ frame_point frame_locate(const input *in, input_position position) {
   if (!position.metres) return (frame_point){position.x + 0.5, in->mission.rows - position.y - 0.5};
   double east = position.x - frame->origin_x, north = position.y - frame->origin_y;
   double cosine = cos(frame->yaw), sine = sin(frame->yaw);
-  return (frame_point){settle((cosine * east + sine * north) / frame->cell_size),
-                       settle((cosine * north - sine * east) / frame->cell_size)};
+  return (frame_point){frame_settle((cosine * east + sine * north) / frame->cell_size),
+                       frame_settle((cosine * north - sine * east) / frame->cell_size)};
 }
 
 qtr_cell frame_cell(const input *in, input_position position) {

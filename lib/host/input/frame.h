@@ -9,6 +9,9 @@ typedef struct {
   double across, up;
 } frame_point;
 
+/* 0.6 / 0.2 is a hair below 3 in binary: what is that close to a line between cells is on it. */
+double frame_settle(double cells);
+
 frame_point frame_locate(const input *in, input_position position);
 
 /* The cell of a position; QTR_NO_CELL outside the map. */

@@ -149,6 +149,41 @@ static const key_record geo_records[] = {
 
 const key_set mission_geo_keys = {"Where the map lies on the globe", geo_records, NULL, NULL};
 
+/* ---- places out of a raster ---- */
+
+static const key_record raster_records[] = {
+    {.name = "file",
+     .kind = KEY_FILE,
+     .help = "a likelihood, in any unit, for each piece of the ground: a PGM or PNG that covers the map, bright being "
+             "likely, or an ESRI ASCII grid in the map frame",
+     .example = "likelihood.pgm",
+     .needed = true,
+     KEY_FIELD(mission_raster, file)},
+    {.name = "footprint",
+     .kind = KEY_NUMBER,
+     .help =
+         "side of the square that a robot's sensor sees (in cells, on a map without metres): the likelihood of a tile "
+         "of that size, counted from the map's lower left corner, is the weight of one place",
+     .example = "5",
+     .unit = "m",
+     .noun = "a length",
+     .most = HUGE_VAL,
+     .least_out = true,
+     .needed = true,
+     KEY_FIELD(mission_raster, footprint)},
+    {.name = "share",
+     .kind = KEY_NUMBER,
+     .help = "as much of the likelihood that robots can get to is covered, the likeliest tiles first",
+     .example = "0.8",
+     .standard = "1",
+     .noun = "a share",
+     .most = 1.0,
+     .least_out = true,
+     KEY_FIELD(mission_raster, share)},
+    {.name = NULL}};
+
+const key_set mission_raster_keys = {"Places out of a raster", raster_records, NULL, NULL};
+
 /* ---- classes of robots ---- */
 
 static const key_record class_records[] = {{.name = "speed",
@@ -244,6 +279,11 @@ static const key_record mission_records[] = {
      .help = "more places, from a CSV whose header names keys of a place, in any order",
      .example = "places.csv",
      KEY_FIELD(input, csv)},
+    {.name = "places_raster",
+     .kind = KEY_MAPPING,
+     .help = "more places, out of a raster of likelihoods: those that a sensor must see to cover a share of them",
+     .example = "{file: likelihood.pgm, footprint: 5, share: 0.8}",
+     .items = &mission_raster_keys},
     {.name = "cleared",
      .kind = KEY_LIST,
      .help =

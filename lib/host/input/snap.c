@@ -9,6 +9,7 @@
 #include "host/base/count.h"
 #include "host/base/file.h"
 #include "host/input/frame.h"
+#include "host/input/reach.h"
 
 #define TEXT 400
 
@@ -51,53 +52,6 @@ static site place_site(const input *in, int i) {
 
 static bool is_free(const input *in, qtr_cell cell) {
   return cell != QTR_NO_CELL && in->mission.cost[cell] != 0;
-}
-
-/* ---- the ground that the robots can get to ---- */
-
-/* Mark the free cells around `cell` and put them on the stack. */
-static size_t spread(uint8_t *ground, const qtr_mission *mission, qtr_cell cell, qtr_cell *stack, size_t top) {
-  const unsigned columns = mission->columns, column = (unsigned)(cell % columns), row = (unsigned)(cell / columns);
-  const struct {
-    bool inside;
-    qtr_cell cell;
-  } next[4] = {{row > 0, (qtr_cell)(cell - columns)},
-               {row + 1u < mission->rows, (qtr_cell)(cell + columns)},
-               {column > 0, (qtr_cell)(cell - 1)},
-               {column + 1 < columns, (qtr_cell)(cell + 1)}};
-  for (int i = 0; i < 4; i++) {
-    if (!next[i].inside || mission->cost[next[i].cell] == 0 || ground[next[i].cell] != 0) continue;
-    ground[next[i].cell] = 1;
-    stack[top++] = next[i].cell;
-  }
-  return top;
-}
-
-/* -1 with no memory. */
-static int mark_ground(work *w) {
-  const qtr_mission *mission = &w->in->mission;
-  const size_t cells = qtr_mission_cells(mission);
-  qtr_cell *stack = malloc(cells * sizeof *stack);
-  size_t top = 0;
-  w->ground = calloc(cells, 1);
-  if (stack == NULL || w->ground == NULL) {
-    free(stack);
-    return -1;
-  }
-  for (int i = 0; i < mission->seekers; i++) {
-    const qtr_cell start = mission->start[i];
-    if (!is_free(w->in, start) || w->ground[start] != 0) continue;
-    w->ground[start] = 1;
-    stack[top++] = start;
-  }
-  const bool any = top > 0;
-  while (top > 0) {
-    const qtr_cell cell = stack[--top];
-    top = spread(w->ground, mission, cell, stack, top);
-  }
-  for (size_t cell = 0; !any && cell < cells; cell++) w->ground[cell] = mission->cost[cell] != 0;
-  free(stack);
-  return 0;
 }
 
 /* ---- the nearest free cell ---- */
@@ -306,8 +260,7 @@ int snap_all(input *in, const input_options *options, fault *why) {
   static bool left_out[QTR_MAX_PLACES];
   work w = {.in = in, .options = options, .why = why, .left_out = left_out};
   memset(left_out, 0, sizeof left_out);
-  if (!is_sound(in) && mark_ground(&w) != 0) {
-    free(w.ground);
+  if (!is_sound(in) && (w.ground = reach_mark(in)) == NULL) {
     return file_fault(why, in->path, 0, 0, "no memory for the map's free cells");
   }
   const int result = treat_all(&w);

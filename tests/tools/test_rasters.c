@@ -1,0 +1,42 @@
+/* Missions whose ground says where the target may be. */
+#include "support/tool_run.h"
+
+static tool_result r;
+
+void setUp(void) {
+  write_file("field.txt", "S......\n.......\n.......\n.......\n");
+  write_file("likely.asc", "ncols 7\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+                           "0 0 0 0 0 9 0\n0 0 0 0 0 0 0\n0 0 0 1 0 0 0\n5 0 0 0 0 0 0\n");
+  write_file("raster.yaml", "map: field.txt\nplaces_raster: {file: likely.asc, footprint: 1, share: 0.9}\n"
+                            "robots: [{column: 0, row: 0}, {column: 0, row: 0}]\n");
+  write_file("listed.yaml", "map: field.txt\nplaces: [{column: 5, row: 0, weight: 9}, {column: 0, row: 3, weight: 5}]\n"
+                            "robots: [{column: 0, row: 0}, {column: 0, row: 0}]\n");
+}
+
+void tearDown(void) {
+}
+
+/* Of the mass of 15 the two tiles of 9 and 5 cover 93 %. */
+static void test_a_raster_is_learnt_as_its_tiles_are_when_they_are_listed(void) {
+  run_tool(&r, "learn listed.yaml --objective time --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
+  const double listed = json_value(r.out, "expected_time");
+  run_tool(&r, "learn raster.yaml --objective time --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9, listed, json_value(r.out, "expected_time"));
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "2 places of 3 tiles hold 93.33 % of the likelihood within reach"), r.out);
+}
+
+static void test_a_raster_that_does_not_lie_on_the_map_is_refused(void) {
+  write_file("likely.asc", "ncols 1\nnrows 1\nxllcorner 70\nyllcorner 0\ncellsize 1\n1\n");
+  run_tool(&r, "learn raster.yaml -o none.qtr");
+  TEST_ASSERT_EQUAL_INT(2, r.status);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.err, "likely.asc: it spans x 70 to 71 and y 0 to 1"), r.err);
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_a_raster_is_learnt_as_its_tiles_are_when_they_are_listed);
+  RUN_TEST(test_a_raster_that_does_not_lie_on_the_map_is_refused);
+  return UNITY_END();
+}
