@@ -29,6 +29,17 @@ static void write_json(FILE *out, const void *what) {
   schema_write(out, what);
 }
 
+static const char steps_and_seconds[] =
+    "\n## Steps and seconds\n"
+    "A plan is made in steps of a fixed length. Where all robots have one speed, a step is the time that they take for "
+    "a\n"
+    "cell; where they differ, the longest that rounds nobody's time for a cell by more than 1 %; `step_seconds` sets "
+    "it "
+    "by\nhand. Scan and ready times are rounded up, endurance and deadlines down, so that no plan counts on time that\n"
+    "there is not. Reports say what a step is and what it rounds. Ground of cost c takes c times as long as plain\n"
+    "ground. A look counts when its scan ends; where the first finds with probability q, the second finds with\n"
+    "q (1 - q). Where nothing is said of seconds a step is a cell.\n";
+
 static void write_text(FILE *out, const void *what) {
   fputs("# A mission, key by key\n"
         "A mission is a YAML file that names a map, the robots and the places where the target may be:\n"
@@ -63,6 +74,7 @@ static void write_text(FILE *out, const void *what) {
       "and come behind\n"
       "the places of `places` and `places_csv`, the likeliest first.\n",
       out);
+  fputs(steps_and_seconds, out);
 }
 
 int command_keys(int argc, char **argv) {

@@ -64,9 +64,10 @@ static void test_gamma_of_the_command_line_is_a_seconds_too(void) {
 
 /* 0.5 s a step: drones take 1 for a cell, rovers 4. */
 static void test_scans_go_by_place_then_class_then_mission(void) {
-  const qtr_mission *mission = load(MAP "scan_seconds: 10\nclasses: {drone: {speed: 4, scan_seconds: 3}, rover: {speed: "
-                                        "1}}\nrobots: [{column: 0, row: 0, class: drone}, {column: 0, row: 1, class: "
-                                        "rover}]\nplaces: [{column: 2, row: 0}, {column: 3, row: 0, scan_seconds: 7.1}]\n");
+  const qtr_mission *mission =
+      load(MAP "scan_seconds: 10\nclasses: {drone: {speed: 4, scan_seconds: 3}, rover: {speed: "
+               "1}}\nrobots: [{column: 0, row: 0, class: drone}, {column: 0, row: 1, class: "
+               "rover}]\nplaces: [{column: 2, row: 0}, {column: 3, row: 0, scan_seconds: 7.1}]\n");
   TEST_ASSERT_EQUAL_UINT32(500000, mission->step_time_us);
   TEST_ASSERT_EQUAL_UINT32(1, mission->robot_class[0].cell_steps);
   TEST_ASSERT_EQUAL_UINT32(4, mission->robot_class[1].cell_steps);
@@ -77,9 +78,9 @@ static void test_scans_go_by_place_then_class_then_mission(void) {
 }
 
 static void test_ready_times_are_rounded_up_and_ends_down(void) {
-  const qtr_mission *mission =
-      load(MAP "objective: deadline\ndeadline_seconds: 9.9\nclasses: {drone: {speed: 1, endurance_seconds: 21}}\nrobots: "
-               "[{column: 0, row: 0, class: drone, ready_seconds: 2.1}]\nplaces: [{column: 2, row: 0}]\n");
+  const qtr_mission *mission = load(
+      MAP "objective: deadline\ndeadline_seconds: 9.9\nclasses: {drone: {speed: 1, endurance_seconds: 21}}\nrobots: "
+          "[{column: 0, row: 0, class: drone, ready_seconds: 2.1}]\nplaces: [{column: 2, row: 0}]\n");
   TEST_ASSERT_EQUAL_UINT32(2000000, mission->step_time_us);
   TEST_ASSERT_EQUAL_UINT32(2, mission->ready[0]);
   TEST_ASSERT_EQUAL_UINT32(10, mission->robot_class[0].endurance);
@@ -125,8 +126,9 @@ static void test_the_command_line_sets_objective_and_deadline_alone(void) {
 static void test_terms_follow_their_places_when_some_are_out_of_reach(void) {
   config.reading.skip = true;
   write("terms.txt", "S.#..\n..#..\n");
-  load(MAP "classes: {a: {avoid: [1]}}\nrobots: [{column: 0, row: 0, class: a}, {column: 0, row: 0}]\nplaces: [{column: "
-           "4, row: 0, scan_seconds: 9}, {column: 1, row: 0, scan_seconds: 5, detection: 0.5}]\n");
+  load(MAP
+       "classes: {a: {avoid: [1]}}\nrobots: [{column: 0, row: 0, class: a}, {column: 0, row: 0}]\nplaces: [{column: "
+       "4, row: 0, scan_seconds: 9}, {column: 1, row: 0, scan_seconds: 5, detection: 0.5}]\n");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, problem_measure(p, &config, &why), why.text);
   TEST_ASSERT_EQUAL_INT(1, p->in.mission.places);
   TEST_ASSERT_EQUAL_UINT32(5, p->in.mission.robot_class[0].scan[0]);
