@@ -114,10 +114,6 @@ static uint32_t make_table(report *r, const options *o, uint8_t **bytes, fault *
   return 0;
 }
 
-static bool is_table_asked(const options *o) {
-  return o->output != NULL || o->c_output != NULL || o->profile != NULL || o->plan.any_starts || o->plan.any_cleared;
-}
-
 /* The table, opened once as a robot will, gives the routes of the report: what is told is what was written. */
 static int write_table(report *r, const options *o, fault *why) {
   table t = {.bytes = {NULL, 0}};
@@ -181,7 +177,6 @@ static int foresee_fit(fit *f, const options *o, fault *why) {
 static int prepare(const options *o, report *r, fault *why) {
   if (fit_begin(&r->fit, o->profile, why) != 0 || replan_begin(&r->before, o->against, o->output, why) != 0) return -1;
   if (prepare_problem(&learnt->p, o, why) != 0) return -1;
-  if (is_table_asked(o) && terms_check_table(&learnt->p.in, why) != 0) return -1;
   return foresee_fit(&r->fit, o, why);
 }
 
@@ -198,10 +193,7 @@ static int learn(const options *o, report *r, fault *why) {
   note_cramped();
   r->seconds = stop_seconds() - begin + learnt->p.travel_seconds;
   count(r, o);
-  if (terms_any(&learnt->p.in.mission))
-    routes_of_play(r->route, qtr_learner_best(learnt->learner), &learnt->p.game);
-  else if (write_table(r, o, why) != 0)
-    return -1;
+  if (write_table(r, o, why) != 0) return -1;
   routes_to_mission(r->route, &learnt->p.game);
   routes_measure(&r->units, r->route, &learnt->p);
   return report_write(r, why);

@@ -2,17 +2,6 @@
 
 #include "quarter/travel.h"
 
-void routes_of_play(table_route *routes, const qtr_play *play, const qtr_game *game) {
-  for (int seeker = 0; seeker < game->board.seekers; seeker++) routes[seeker].places = 0;
-  for (int i = 0; i < play->choices; i++) {
-    table_route *route = &routes[play->seeker[i]];
-    const uint16_t place = play->choice[i];
-    if (place == QTR_STAND_DOWN) continue;
-    route->step[route->places] = play->visit[place];
-    route->place[route->places++] = place;
-  }
-}
-
 void routes_to_mission(table_route *routes, const qtr_game *game) {
   for (int seeker = 0; seeker < game->board.seekers; seeker++)
     for (int i = 0; i < routes[seeker].places; i++)

@@ -19,9 +19,6 @@ typedef struct {
   double metres[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* from the start to each place, where the map has metres */
 } route_units;
 
-/* The routes of a game as it was played, one for each seeker; places are the game's. */
-void routes_of_play(table_route *routes, const qtr_play *play, const qtr_game *game);
-
 /* The game's places made the mission's, of which they are looks. */
 void routes_to_mission(table_route *routes, const qtr_game *game);
 

@@ -28,7 +28,7 @@ int plan_read(const char *mission, int robots, fault *why) {
   study_drop(learnt);
   learnt = study_take(why);
   if (learnt == NULL || problem_load(&learnt->p, mission, &asked, why) != 0) return -1;
-  if (terms_check_table(&learnt->p.in, why) != 0) return -1;
+  if (terms_check_demo(&learnt->p.in, why) != 0) return -1;
   return problem_measure(&learnt->p, &asked, why);
 }
 

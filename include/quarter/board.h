@@ -54,6 +54,12 @@ unsigned qtr_board_classes(const qtr_board *board);
 qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node, unsigned place);
 qtr_steps qtr_board_class_steps(const qtr_board *board, unsigned of_class, unsigned node, unsigned place);
 
+/* Step from which a seeker of the board's is in the game; by which it must be home, QTR_NEVER if ever; and, where there
+ * are ends, its way home from a place of the board's. */
+qtr_steps qtr_board_ready(const qtr_board *board, unsigned seeker);
+qtr_steps qtr_board_end(const qtr_board *board, unsigned seeker);
+qtr_steps qtr_board_home(const qtr_board *board, unsigned seeker, unsigned place);
+
 QTR_C_END
 
 #endif

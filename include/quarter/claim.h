@@ -21,7 +21,12 @@ typedef struct {
   qtr_double_bits gamma;         /* discount a step */
   qtr_double_bits value;         /* discounted */
   qtr_double_bits expected_time; /* steps */
-  qtr_double_bits figure;        /* whichever of the two the objective asks for */
+  qtr_double_bits found;         /* probability of a find, by the deadline where that is the objective */
+  qtr_double_bits findable;      /* probability of what can be found at all, by all looks */
+  qtr_double_bits home_weight;   /* what a step until a seeker is home counts, as a likelihood */
+  qtr_steps deadline;            /* 0: none */
+  uint16_t own_places;           /* of the mission: the table's others are later looks at them */
+  qtr_double_bits figure;        /* whichever of value, time and found the objective asks for */
   qtr_double_bits bound;         /* of the figure: no policy does better */
   qtr_double_bits gap;           /* between the two, relative */
   uint32_t step_time_us;         /* microseconds a step; 0: not said */
@@ -37,6 +42,9 @@ bool qtr_claim_knows(uint8_t objective);
 
 /* The number that the input gave a place; of one that is none, the number itself. */
 unsigned qtr_claim_number(const qtr_claim *claim, const qtr_policy *policy, unsigned place);
+
+/* Steps that a class of seekers takes for a cell of cost 1; 0 for a class that is none. */
+uint32_t qtr_claim_cell_steps(const qtr_policy *policy, unsigned of_class);
 
 /* The policy is open, or its words have been checked. */
 void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy);

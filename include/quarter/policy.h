@@ -18,7 +18,7 @@ QTR_C_BEGIN
 
 #define QTR_POLICY_FORMAT 2 /* raised when the bytes change their meaning; apart from the library's version */
 #define QTR_POLICY_NO_REGION 0xFFFFu
-#define QTR_POLICY_SECTIONS 9
+#define QTR_POLICY_SECTIONS 10
 #define QTR_RECORD_BYTES ((4 * QTR_KEY_WORDS) + 4) /* of the largest record of a table */
 
 /* Whether tables of format 1, which Quarter 0.1 wrote, are opened too. A host does; a robot's table is learnt anew. */
@@ -43,6 +43,7 @@ typedef struct {
   uint32_t size; /* of the part that a robot reads; a host may keep names behind it */
   uint8_t format;
   uint8_t features; /* what the table makes use of: docs/policy-format.md */
+  uint8_t terms;    /* which of the field's terms it has: docs/policy-format.md */
   bool any_start;   /* each region is a start, and the cells' regions are known */
   qtr_record_shape records_shape;
   qtr_board board;                  /* its starts are the mission's own */
@@ -71,6 +72,13 @@ qtr_frame qtr_policy_frame(const qtr_policy *policy);
 /* The cell of a node: of place p for p < places, of start s for places + s; QTR_NO_CELL if there is no such node,
  * or the table puts it off the grid. */
 qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node);
+
+/* The place of the mission that one of the table's is a look at: itself, where it is the first. A number that is none
+ * is given back. */
+unsigned qtr_policy_place(const qtr_policy *policy, unsigned place);
+
+/* The ground as a seeker may enter it: the table's grid, for one that keeps off rough ground without that. */
+qtr_grid qtr_policy_ground(const qtr_policy *policy, unsigned seeker);
 
 /* A place's likelihood in units of 2^-32, 1 or more; 0 if there is no such place. */
 uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place);

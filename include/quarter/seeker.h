@@ -84,7 +84,8 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
  * game is. */
 bool qtr_seeker_plan(qtr_seeker *seeker);
 
-/* The place to go to now; QTR_STAND_DOWN: stay, there is nothing to do (qtr_seeker_standing() says why). */
+/* The place to go to now (where places are looked at more than once: the look, at qtr_policy_place());
+ * QTR_STAND_DOWN: stay, there is nothing to do (qtr_seeker_standing() says why). */
 uint16_t qtr_seeker_target(qtr_seeker *seeker);
 
 /* Fill `field` with the way to the target, for qtr_field_next() from the cell where the robot is. A place that its cell
@@ -94,8 +95,8 @@ uint16_t qtr_seeker_target(qtr_seeker *seeker);
 #define qtr_seeker_field(seeker, field, here) qtr_seeker_field_built(seeker, field, here, QTR_CONFIG_ID)
 bool qtr_seeker_field_built(qtr_seeker *seeker, qtr_field *field, qtr_cell here, uint32_t config_id);
 
-/* The robot stands on `place` and has scanned it without a find; any place, the target or one in passing. A place out
- * of range is ignored. */
+/* The robot stands on `place` and has scanned it without a find; any place, the target or one in passing. Where places
+ * are looked at more than once each call is a look. A place out of range is ignored. */
 void qtr_seeker_visited(qtr_seeker *seeker, unsigned place);
 
 /* There is no way to `place`: a door is shut, a path is blocked. It is left out, and tried once more when all else is

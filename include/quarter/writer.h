@@ -19,8 +19,9 @@ typedef struct {
   uint32_t record_count;
   const qtr_certificate *certificate; /* of the mission's own starts */
   uint64_t seed;
-  const qtr_box *used;       /* part of the map that robots get about in; NULL: all of it */
-  const qtr_places *cleared; /* before the start, known to all; NULL: none */
+  const qtr_box *used;              /* part of the map that robots get about in; NULL: all of it */
+  const qtr_places *cleared;        /* before the start, known to all; NULL: none */
+  const qtr_objective_terms *terms; /* what worths depend on besides; NULL: nothing */
 } qtr_table_content;
 
 /* Bytes that a table takes. */

@@ -32,12 +32,6 @@ inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsi
   return qtr_steps_of_class(board, QTR_TERMS ? board->terms.class_of[seeker] : 0u, node, place);
 }
 
-/* Step from which a seeker is in the game; by which it must be home, QTR_NEVER if ever; and its way home from a
- * node. */
-qtr_steps qtr_board_ready(const qtr_board *board, unsigned seeker);
-qtr_steps qtr_board_end(const qtr_board *board, unsigned seeker);
-qtr_steps qtr_board_home(const qtr_board *board, unsigned seeker, unsigned place);
-
 /* Whether a board's numbers, without its seats and travel times, are in their ranges: QTR_OK; QTR_ERR_LIMIT,
  * QTR_ERR_ARGUMENT. */
 int qtr_board_check(const qtr_board *board);

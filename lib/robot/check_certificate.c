@@ -35,6 +35,18 @@ static bool is_amount(int64_t rank) {
   return (rank >= 0) && is_finite(rank);
 }
 
+/* A probability, but for what adding up may make it too great by. */
+static bool is_probability(qtr_double_bits bits) {
+  const int64_t rank = rank_of(bits);
+  return (rank >= 0) && (rank <= (DOUBLE_ONE + 16));
+}
+
+/* Without terms all is found. */
+static bool terms_agree(const qtr_claim *claim) {
+  return is_probability(claim->found) && is_probability(claim->findable) && (rank_of(claim->findable) > 0) &&
+         is_amount(rank_of(claim->home_weight));
+}
+
 static bool is_discount(int64_t rank) {
   return (rank > 0) && (rank < DOUBLE_ONE);
 }
@@ -46,7 +58,7 @@ int qtr_check_certificate(const qtr_policy *policy) {
   const int64_t figure = rank_of(claim.figure);
   const int64_t bound = rank_of(claim.bound);
   if (!is_discount(rank_of(claim.gamma)) || !is_amount(rank_of(claim.value)) || !is_finite(bound) ||
-      !is_amount(rank_of(claim.expected_time))) {
+      !is_amount(rank_of(claim.expected_time)) || !terms_agree(&claim)) {
     return QTR_ERR_CERTIFICATE;
   }
   if (claim.less_is_better ? (bound > figure) : (bound < figure)) {

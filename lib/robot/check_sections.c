@@ -11,7 +11,8 @@ static bool spare_is_clear(const qtr_policy *policy) {
   if (is_format_1(policy->format)) {
     return (bytes[QTR_POLICY_STEP_BYTES] == 0u) && (qtr_load32(bytes + QTR_POLICY_STEP_TIME) == 0u);
   }
-  for (unsigned at = QTR_POLICY_FOUND; at < QTR_POLICY_HEADER_BYTES; at++) {
+  const bool has_terms = (policy->features & QTR_FEATURE_TERMS) != 0;
+  for (unsigned at = has_terms ? QTR_POLICY_SPARE : QTR_POLICY_FOUND; at < QTR_POLICY_HEADER_BYTES; at++) {
     if (bytes[at] != 0u) {
       return false;
     }
@@ -26,6 +27,39 @@ static int check_words(const qtr_policy *policy) {
   const bool known = qtr_claim_knows(bytes[QTR_POLICY_OBJECTIVE]) && (bytes[QTR_POLICY_CERTIFIED] <= 1u) &&
                      (bytes[QTR_POLICY_ANY_START] <= 1u) && (bytes[QTR_POLICY_GRID] <= QTR_GRID_BYTES);
   return (known && spare_is_clear(policy)) ? QTR_OK : QTR_ERR_CORRUPT;
+}
+
+/* Each a look at one of the mission's places, the first looks first. */
+static bool looks_agree(const qtr_policy *policy, unsigned own) {
+  const unsigned places = policy->board.places;
+  for (unsigned place = 0; place < places; place++) {
+    const unsigned at = qtr_policy_place(policy, place);
+    if ((at >= own) || ((place < own) && (at != place))) {
+      return false;
+    }
+  }
+  return (own < places) == (policy->board.terms.look_of != NULL);
+}
+
+/* Words that are 0 or 1 where they are no number. */
+static bool classes_agree(const qtr_policy *policy) {
+  const uint8_t *of = section_of(policy, SECTION_TERMS) + QTR_TERMS_CLASS;
+  for (unsigned i = 0; i < policy->bytes[QTR_POLICY_CLASSES]; i++) {
+    if ((qtr_load16(of) == 0u) || (of[2] > 1u) || (of[3] != 0u)) {
+      return false;
+    }
+    of += QTR_TERMS_CLASS_BYTES;
+  }
+  return policy->bytes[QTR_POLICY_CLASSES] > 0u;
+}
+
+static int check_terms(const qtr_policy *policy) {
+  if ((policy->features & (unsigned)QTR_FEATURE_TERMS) == 0u) {
+    return QTR_OK;
+  }
+  const unsigned own = qtr_load16(policy->bytes + QTR_POLICY_OWN_PLACES);
+  const bool agree = (policy->terms <= 31u) && looks_agree(policy, own) && classes_agree(policy);
+  return agree ? QTR_OK : QTR_ERR_CORRUPT;
 }
 
 /* The grid lies somewhere, and on its map. */
@@ -128,8 +162,8 @@ static int check_records(const qtr_policy *policy) {
 
 /* In this order, for each rests on those before: a region is looked up by its start, which must be a free cell. */
 int qtr_check_sections(const qtr_policy *policy) {
-  static int (*const checks[])(const qtr_policy *) = {check_words,   check_place_in_world, check_padding, check_free,
-                                                      check_weights, check_regions,        check_records};
+  static int (*const checks[])(const qtr_policy *) = {check_words, check_terms,   check_place_in_world, check_padding,
+                                                      check_free,  check_weights, check_regions,        check_records};
   int status = QTR_OK;
   for (unsigned i = 0; (i < (sizeof checks / sizeof(checks[0]))) && (status == QTR_OK); i++) {
     status = checks[i](policy);

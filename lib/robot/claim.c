@@ -16,6 +16,30 @@ bool qtr_claim_knows(uint8_t objective) {
   return objective < (sizeof objectives / sizeof(objectives[0]));
 }
 
+#define DOUBLE_OF_1 0x3FF0000000000000u
+
+/* Without terms all is found, at once and by the last visit. */
+static void read_terms(qtr_claim *claim, const qtr_policy *policy) {
+  const uint8_t *bytes = policy->bytes;
+  const bool has_terms = (policy->features & (unsigned)QTR_FEATURE_TERMS) != 0u;
+  const uint8_t *terms = section_of(policy, SECTION_TERMS);
+  claim->found = has_terms ? qtr_load64(bytes + QTR_POLICY_FOUND) : DOUBLE_OF_1;
+  claim->findable = has_terms ? qtr_load64(terms + QTR_TERMS_FINDABLE) : DOUBLE_OF_1;
+  claim->home_weight = has_terms ? qtr_load64(terms + QTR_TERMS_HOME_WEIGHT) : 0u;
+  claim->deadline = has_terms ? qtr_load32(bytes + QTR_POLICY_DEADLINE) : 0u;
+  claim->own_places = has_terms ? (uint16_t)qtr_load16(bytes + QTR_POLICY_OWN_PLACES) : policy->board.places;
+}
+
+uint32_t qtr_claim_cell_steps(const qtr_policy *policy, unsigned of_class) {
+  if (of_class >= qtr_board_classes(&policy->board)) {
+    return 0;
+  }
+  if ((policy->features & (unsigned)QTR_FEATURE_TERMS) == 0u) {
+    return 1;
+  }
+  return qtr_load16(section_of(policy, SECTION_TERMS) + QTR_TERMS_CLASS + (QTR_TERMS_CLASS_BYTES * of_class));
+}
+
 /* Nothing here is used in play; it is read anew whenever somebody asks, and takes no room in an open policy. */
 void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy) {
   const uint8_t *bytes = policy->bytes;
@@ -31,6 +55,7 @@ void qtr_claim_read(qtr_claim *claim, const qtr_policy *policy) {
   claim->gamma = qtr_load64(bytes + QTR_POLICY_GAMMA);
   claim->value = qtr_load64(bytes + QTR_POLICY_VALUE);
   claim->expected_time = qtr_load64(bytes + QTR_POLICY_TIME);
+  read_terms(claim, policy);
   claim->figure = qtr_load64(bytes + objectives[claim->objective].figure_at);
   claim->bound = qtr_load64(bytes + QTR_POLICY_BOUND);
   claim->gap = qtr_load64(bytes + QTR_POLICY_GAP);

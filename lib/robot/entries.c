@@ -30,6 +30,28 @@ qtr_cell qtr_policy_cell(const qtr_policy *policy, unsigned node) {
   return (cell < cells) ? (qtr_cell)cell : QTR_NO_CELL;
 }
 
+unsigned qtr_policy_place(const qtr_policy *policy, unsigned place) {
+  const qtr_board *board = &policy->board;
+  if (!QTR_TERMS || (board->terms.look_of == NULL) || (place >= board->places)) {
+    return place;
+  }
+  return (unsigned)qtr_load16(board->terms.look_of + (2u * place));
+}
+
+qtr_grid qtr_policy_ground(const qtr_policy *policy, unsigned seeker) {
+  qtr_grid grid = policy->grid;
+#if QTR_TERMS
+  if (((policy->features & QTR_FEATURE_TERMS) != 0) && (seeker < policy->board.seekers) &&
+      (grid.encoding == QTR_GRID_BYTES)) {
+    const uint8_t *of = section_of(policy, SECTION_TERMS) + QTR_TERMS_CLASS +
+                        (QTR_TERMS_CLASS_BYTES * (uint32_t)policy->board.terms.class_of[seeker]);
+    grid.encoding = (of[2] != 0u) ? QTR_GRID_SMOOTH : QTR_GRID_BYTES;
+  }
+#endif
+  (void)seeker;
+  return grid;
+}
+
 /* Likelihoods in units of 2^-32: a robot only compares them. */
 uint32_t qtr_policy_weight(const qtr_policy *policy, unsigned place) {
   return (place < policy->board.places) ? qtr_load32(section_of(policy, SECTION_WEIGHTS) + (4u * place)) : 0u;

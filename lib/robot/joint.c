@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 
+#include "core/apart.h"
 #include "quarter/status.h"
 #include "robot/bits.h"
 #include "robot/board.h"
@@ -25,22 +26,33 @@ static bool can_choose(const qtr_joint *joint, const qtr_board *board, int seeke
   return (seeker >= 0) && (seeker < board->seekers) && is_idle(joint, (unsigned)seeker);
 }
 
+#if QTR_TERMS
+/* Whether a seeker with an end is home by it, that goes to a place next. */
+QTR_APART static bool is_home_in_time(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place,
+                                      qtr_steps steps) {
+  const qtr_steps home =
+      qtr_load_steps(board->terms.home, board->step_bytes, ((uint32_t)seeker * board->places) + place);
+  const qtr_steps when = joint->now + joint->remaining[seeker] + steps;
+  return (home != QTR_NEVER) && ((when + home) <= qtr_load32(board->terms.end + (4u * seeker)));
+}
+#endif
+
 /* Whether a seeker can be at a place from its next node and free moment on, and home in time. */
 static bool is_feasible(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place) {
   const qtr_steps steps = qtr_steps_between(board, seeker, joint->node[seeker], place);
-  if (!QTR_TERMS || (steps == QTR_NEVER) || (board->terms.end == NULL)) {
-    return steps != QTR_NEVER;
+#if QTR_TERMS
+  if ((steps != QTR_NEVER) && (board->terms.end != NULL)) {
+    return is_home_in_time(joint, board, seeker, place, steps);
   }
-  const qtr_steps home = qtr_board_home(board, seeker, place);
-  const qtr_steps end = qtr_board_end(board, seeker);
-  return (home != QTR_NEVER) && ((joint->now + joint->remaining[seeker] + steps + home) <= end);
+#endif
+  return steps != QTR_NEVER;
 }
 
 static bool is_out(const qtr_joint *joint, unsigned seeker) {
   return joint->node[seeker] == QTR_STAND_DOWN;
 }
 
-static bool is_alone(const qtr_joint *joint, const qtr_board *board) {
+QTR_APART static bool is_alone(const qtr_joint *joint, const qtr_board *board) {
   unsigned in = 0;
   for (unsigned i = 0; i < board->seekers; i++) {
     in += is_out(joint, i) ? 0u : 1u;
@@ -49,7 +61,7 @@ static bool is_alone(const qtr_joint *joint, const qtr_board *board) {
 }
 
 /* Whether a look at the same place comes before this one and has not been made. */
-static bool has_look_before(const qtr_joint *joint, const qtr_board *board, unsigned place) {
+QTR_APART static bool has_look_before(const qtr_joint *joint, const qtr_board *board, unsigned place) {
   const uint32_t of = qtr_load16(board->terms.look_of + (2u * place));
   for (unsigned other = 0; other < place; other++) {
     if ((qtr_load16(board->terms.look_of + (2u * other)) == of) && !place_is_in(&joint->visited, other)) {

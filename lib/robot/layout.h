@@ -54,15 +54,38 @@ enum {
   QTR_POLICY_TOP = 130,         /* u16, rows above it */
   QTR_POLICY_MAP_COLUMNS = 132, /* u16, of the whole map */
   QTR_POLICY_MAP_ROWS = 134,    /* u16 */
-  QTR_POLICY_FOUND = 136,       /* IEEE 754 double, of a table with terms: probability of a find */
-  QTR_POLICY_SPARE = 144,       /* 16 of 0, for what later features need */
+  /* Of a table with terms (quarter/terms.h); else 0. */
+  QTR_POLICY_FOUND = 136,      /* IEEE 754 double, probability of a find */
+  QTR_POLICY_DEADLINE = 144,   /* u32, step of the deadline, where that is the objective */
+  QTR_POLICY_CLOCK = 148,      /* u32, the greatest step that a key tells */
+  QTR_POLICY_OWN_PLACES = 152, /* u16, of the mission: those behind them are later looks */
+  QTR_POLICY_CLASSES = 154,    /* u8, of seekers */
+  QTR_POLICY_TERMS = 155,      /* u8, a bit for each that there is: enum qtr_table_term */
+  QTR_POLICY_SPARE = 156,      /* 4 of 0, for what later features need */
   QTR_POLICY_HEADER_BYTES = 160
 };
 
 enum qtr_table_feature {
-  QTR_FEATURE_CLEARED = 1, /* the mission itself has places cleared beforehand */
-  QTR_FEATURE_NUMBERS = 2, /* the input numbers its places otherwise, for some were left out */
-  QTR_FEATURES = 3         /* all that this version knows */
+  QTR_FEATURE_CLEARED = 1,           /* the mission itself has places cleared beforehand */
+  QTR_FEATURE_NUMBERS = 2,           /* the input numbers its places otherwise, for some were left out */
+  QTR_FEATURE_TERMS = 4,             /* the mission makes use of the field's terms */
+  QTR_FEATURES = (QTR_TERMS ? 7 : 3) /* all that this build knows */
+};
+
+enum qtr_table_term {
+  QTR_TERM_BY_HOME = 1, /* as in qtr_terms, the first two */
+  QTR_TERM_LEAVE = 2,
+  QTR_TERM_READY = 4, /* the section of terms has ready times */
+  QTR_TERM_END = 8,   /* ends, and ways home */
+  QTR_TERM_LOOKS = 16 /* which place each is a look at */
+};
+
+/* A section of terms: what a host wants to know first, then what a robot plays by (docs/policy-format.md). */
+enum {
+  QTR_TERMS_FINDABLE = 0,    /* IEEE 754 double, probability of what can be found at all */
+  QTR_TERMS_HOME_WEIGHT = 8, /* IEEE 754 double, as a likelihood */
+  QTR_TERMS_CLASS = 16,      /* for each class: u16 steps a cell, u8 1 if it may not enter rough ground, u8 0 */
+  QTR_TERMS_CLASS_BYTES = 4
 };
 
 /* ---- the sections, in their order after the header ---- */
@@ -71,7 +94,9 @@ enum section {
   SECTION_SEATS,   /* u16 start of each seeker; in format 1 then 0 up to a multiple of 4 */
   SECTION_CELLS,   /* cell of each node: u16 where the grid has no more than 65,536, else u32; in format 1 u32 */
   SECTION_WEIGHTS, /* u32 likelihood of each place */
-  SECTION_TRAVEL,  /* steps from each node (row) to each place (column), in QTR_POLICY_STEP_BYTES; all ones: no way */
+  SECTION_TRAVEL,  /* for each class: steps from each node (row) to each place (column), in QTR_POLICY_STEP_BYTES; all
+                     ones: no way */
+  SECTION_TERMS,   /* QTR_FEATURE_TERMS; before the records, for the length of keys depends on it */
   SECTION_RECORDS,
   SECTION_GRID,
   SECTION_REGIONS, /* u16 start that stands for each cell; none unless the table is for any start */

@@ -61,6 +61,52 @@ static int read_features(qtr_policy *policy) {
   return is_format_1(policy->format) ? QTR_ERR_CORRUPT : QTR_ERR_FORMAT;
 }
 
+/* What the header says of terms: how many classes, and what the section of terms holds. */
+static void read_terms(qtr_policy *policy) {
+  qtr_terms *terms = &policy->board.terms;
+  bytes_clear(terms, sizeof *terms);
+  policy->terms = 0;
+#if QTR_TERMS
+  if ((policy->features & QTR_FEATURE_TERMS) != 0) {
+    const uint8_t *bytes = policy->bytes;
+    policy->terms = bytes[QTR_POLICY_TERMS];
+    terms->classes = bytes[QTR_POLICY_CLASSES];
+    terms->clock = qtr_load32(bytes + QTR_POLICY_CLOCK);
+    terms->by_home = (policy->terms & (unsigned)QTR_TERM_BY_HOME) != 0u;
+    terms->anyone_may_leave = (policy->terms & (unsigned)QTR_TERM_LEAVE) != 0u;
+  }
+#endif
+}
+
+/* And what that section holds, one after another as there is. */
+static void find_terms(qtr_policy *policy) {
+#if QTR_TERMS
+  qtr_board *board = &policy->board;
+  qtr_terms *terms = &board->terms;
+  if ((policy->features & QTR_FEATURE_TERMS) == 0) {
+    return;
+  }
+  const uint8_t *at = section_of(policy, SECTION_TERMS) + QTR_TERMS_CLASS +
+                      (QTR_TERMS_CLASS_BYTES * (uint32_t)qtr_board_classes(board));
+  bytes_copy(terms->class_of, at, board->seekers);
+  at += board->seekers;
+  if ((policy->terms & (unsigned)QTR_TERM_READY) != 0u) {
+    terms->ready = at;
+    at += 4u * board->seekers;
+  }
+  if ((policy->terms & (unsigned)QTR_TERM_END) != 0u) {
+    terms->end = at;
+    terms->home = at + (4u * board->seekers);
+    at = terms->home + ((uint32_t)board->step_bytes * board->places * board->seekers);
+  }
+  if ((policy->terms & (unsigned)QTR_TERM_LOOKS) != 0u) {
+    terms->look_of = at;
+  }
+#else
+  (void)policy;
+#endif
+}
+
 /* 0 of anything is a damaged table; more than the arrays hold may be a good one for another build, and is called
  * that. */
 static int read_dimensions(qtr_policy *policy) {
@@ -71,7 +117,7 @@ static int read_dimensions(qtr_policy *policy) {
   policy->grid.encoding = bytes[QTR_POLICY_GRID];
   policy->records = qtr_load32(bytes + QTR_POLICY_RECORDS);
   policy->records_shape.bytes = 0; /* not known yet */
-  bytes_clear(&board->terms, sizeof board->terms);
+  read_terms(policy);
   board->places = (uint16_t)qtr_load16(bytes + QTR_POLICY_PLACES);
   board->seekers = bytes[QTR_POLICY_SEEKERS];
   board->starts = (uint16_t)qtr_load16(bytes + QTR_POLICY_STARTS);
@@ -85,8 +131,8 @@ static int read_dimensions(qtr_policy *policy) {
   return (cells > QTR_MAX_CELLS) ? QTR_ERR_LIMIT : status;
 }
 
-/* What stands before the records: who sits where, nodes, weights and travel times. How long keys are follows from
- * it. */
+/* What stands before the records: who sits where, nodes, weights, travel times and terms. How long keys are follows
+ * from it. */
 static int read_board(qtr_policy *policy) {
   qtr_board *board = &policy->board;
   if (qtr_layout_find(policy) > policy->size) {
@@ -94,6 +140,7 @@ static int read_board(qtr_policy *policy) {
   }
   qtr_board_load_seats(board, section_of(policy, SECTION_SEATS));
   board->steps = section_of(policy, SECTION_TRAVEL);
+  find_terms(policy);
   if (qtr_board_init(board) != QTR_OK) {
     return QTR_ERR_CORRUPT;
   }

@@ -175,7 +175,27 @@ static void settle(qtr_seeker *seeker) {
 
 /* ---- what a robot is told ---- */
 
-void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
+/* Which of several looks at a place was made: the one that the robot was sent for, or the first that it has not made
+ * itself. */
+static unsigned look_made(const qtr_seeker *seeker, unsigned place) {
+  const qtr_policy *policy = seeker->policy;
+  if (!QTR_TERMS || (policy->board.terms.look_of == NULL)) {
+    return place;
+  }
+  const unsigned of = qtr_policy_place(policy, place);
+  if (seeker->settled && (seeker->target != QTR_STAND_DOWN) && (qtr_policy_place(policy, seeker->target) == of)) {
+    return seeker->target;
+  }
+  for (unsigned look = 0; look < policy->board.places; look++) {
+    if ((qtr_policy_place(policy, look) == of) && !place_is_in(&seeker->visited, look)) {
+      return look;
+    }
+  }
+  return place;
+}
+
+void qtr_seeker_visited(qtr_seeker *seeker, unsigned at) {
+  const unsigned place = look_made(seeker, at);
   if ((place >= seeker->policy->board.places) || place_is_in(&seeker->visited, place)) {
     return;
   }
@@ -186,13 +206,16 @@ void qtr_seeker_visited(qtr_seeker *seeker, unsigned place) {
   }
 }
 
-/* Not taken back on a later visit: is_to_try() asks for visits first. */
+/* All looks at it. Not taken back on a later visit: is_to_try() asks for visits first. */
 void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
-  if ((place >= seeker->policy->board.places) || place_is_in(&seeker->visited, place)) {
-    return;
+  const qtr_policy *policy = seeker->policy;
+  for (unsigned look = 0; look < policy->board.places; look++) {
+    if ((qtr_policy_place(policy, look) != qtr_policy_place(policy, place)) || place_is_in(&seeker->visited, look)) {
+      continue;
+    }
+    place_put(&seeker->blocked, look);
+    seeker->settled = false;
   }
-  place_put(&seeker->blocked, place);
-  seeker->settled = false;
 }
 
 /* Said once as the finder; repeated like all that is known by qtr_seeker_known(). */
@@ -241,7 +264,8 @@ uint16_t qtr_seeker_target(qtr_seeker *seeker) {
 
 /* Ends, for each time round a place is blocked, and on the last round it stays so: twice round all places at most. */
 bool qtr_seeker_field_built(qtr_seeker *seeker, qtr_field *field, qtr_cell here, uint32_t config_id) {
-  const qtr_grid *grid = &seeker->policy->grid;
+  const qtr_grid ground = qtr_policy_ground(seeker->policy, seeker->self);
+  const qtr_grid *grid = &ground;
   if ((config_id != QTR_CONFIG_ID) || (qtr_grid_cost(grid, here) == 0u)) {
     return false;
   }

@@ -26,6 +26,7 @@ static void collect_records(qtr_learner *learner) {
   qtr_state state;
   qtr_outcome outcome;
   qtr_game_start(game, &state);
+  qtr_game_pass(game, &state, &outcome);
   for (unsigned i = 0; i < best->choices; i++) {
     uint8_t record[QTR_RECORD_BYTES];
     qtr_record_write(record, &state.joint, &game->board, best->choice[i]);
@@ -43,7 +44,7 @@ static qtr_table_content content_of(const qtr_learner *learner, qtr_cell *start,
   qtr_learner_certificate(learner, certificate);
   const qtr_table_content content = {
       game->mission,         &game->board, game->probability,    start,       NULL, learner->records,
-      learner->best.choices, certificate,  learner->config.seed, &game->used, NULL};
+      learner->best.choices, certificate,  learner->config.seed, &game->used, NULL, &game->objective.terms};
   return content;
 }
 

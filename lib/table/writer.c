@@ -70,16 +70,45 @@ static uint8_t encoding_of(const qtr_table_content *content) {
 
 /* ---- sizes ---- */
 
+/* Which of the terms that robots play by there are: enum qtr_table_term. */
+static uint8_t terms_of(const qtr_board *board) {
+  const qtr_terms *terms = &board->terms;
+  return (uint8_t)((terms->by_home ? QTR_TERM_BY_HOME : 0) | (terms->anyone_may_leave ? QTR_TERM_LEAVE : 0) |
+                   (terms->ready != NULL ? QTR_TERM_READY : 0) | (terms->end != NULL ? QTR_TERM_END : 0) |
+                   (terms->look_of != NULL ? QTR_TERM_LOOKS : 0));
+}
+
 /* The longest way in the fewest bytes, all ones being none. */
 static uint8_t step_bytes_of(const qtr_board *board) {
-  if (board->keys.longest < 0xFFu) return 1;
-  return board->keys.longest < 0xFFFFu ? 2 : 4;
+  qtr_steps longest = board->keys.longest;
+  for (unsigned i = 0; board->terms.end != NULL && i < board->seekers; i++) {
+    for (unsigned place = 0; place < board->places; place++) {
+      const qtr_steps home = qtr_board_home(board, i, place);
+      if (home != QTR_NEVER && home > longest) longest = home;
+    }
+  }
+  if (longest < 0xFFu) return 1;
+  return longest < 0xFFFFu ? 2 : 4;
+}
+
+/* Whether the mission is none of the paper's, so that a robot or a host must know more to play it or to tell its
+ * worth. */
+static bool has_terms(const qtr_table_content *content) {
+  const qtr_mission *mission = content->mission;
+  const qtr_objective_terms *worth = content->terms;
+  if (mission->classes > 1 || terms_of(content->board) != 0 || content->board->terms.clock > 0) return true;
+  if (worth != NULL && (worth->findable != 1.0 || worth->home_weight > 0.0)) return true;
+  const qtr_robot_class *all = &mission->robot_class[0];
+  for (unsigned place = 0; place < mission->places; place++)
+    if (all->scan[place] > 0) return true;
+  return all->cell_steps > 1 || all->smooth_only;
 }
 
 /* Bits of what an older build would have to know to play the table: one that it does not know it refuses. */
 static uint8_t features_of(const qtr_table_content *content) {
   return (uint8_t)((content->cleared != NULL ? QTR_FEATURE_CLEARED : 0) |
-                   (content->mission->number != NULL ? QTR_FEATURE_NUMBERS : 0));
+                   (content->mission->number != NULL ? QTR_FEATURE_NUMBERS : 0) |
+                   (has_terms(content) ? QTR_FEATURE_TERMS : 0));
 }
 
 /* The table's dimensions, as a robot reads them. */
@@ -90,6 +119,7 @@ static qtr_policy layout_of(const qtr_table_content *content) {
   policy.format = QTR_POLICY_FORMAT;
   policy.features = features_of(content);
   policy.any_start = content->region != NULL;
+  policy.terms = terms_of(content->board);
   policy.records = content->record_count;
   policy.records_shape = record_shape_written(content->board);
   policy.board = *content->board;
@@ -145,6 +175,18 @@ static void write_dimensions(uint8_t *bytes, const qtr_table_content *content, u
   qtr_store32(bytes + QTR_POLICY_STEP_TIME, content->mission->step_time_us);
 }
 
+/* What of the terms stands in the header; without them it stays 0. */
+static void write_terms_words(uint8_t *bytes, const qtr_table_content *content) {
+  const qtr_mission *mission = content->mission;
+  if (!has_terms(content)) return;
+  store_double(bytes + QTR_POLICY_FOUND, content->certificate->found);
+  qtr_store32(bytes + QTR_POLICY_DEADLINE, mission->aim.kind == QTR_DEADLINE ? mission->aim.deadline : 0);
+  qtr_store32(bytes + QTR_POLICY_CLOCK, content->board->terms.clock);
+  qtr_store16(bytes + QTR_POLICY_OWN_PLACES, mission->places);
+  bytes[QTR_POLICY_CLASSES] = (uint8_t)qtr_board_classes(content->board);
+  bytes[QTR_POLICY_TERMS] = terms_of(content->board);
+}
+
 /* As the learner gave it. Opening holds value, bound and gap against one another, so a writer's slip shows at once. */
 static void write_certificate(uint8_t *bytes, const qtr_table_content *content) {
   const qtr_certificate *certificate = content->certificate;
@@ -160,12 +202,18 @@ static void write_certificate(uint8_t *bytes, const qtr_table_content *content) 
 
 /* ---- sections ---- */
 
+/* The mission's place that one of the board's is a look at. */
+static unsigned place_at(const qtr_board *board, unsigned place) {
+  return board->terms.look_of == NULL ? place : qtr_load16(board->terms.look_of + 2 * (size_t)place);
+}
+
 static void write_cells(uint8_t *at, const qtr_table_content *content) {
   const qtr_board *board = content->board;
   const qtr_box box = box_of(content);
   const uint8_t bytes = cell_bytes_of(QTR_POLICY_FORMAT, cells_of(&box));
   for (unsigned node = 0; node < qtr_board_nodes(board); node++, at += bytes) {
-    const qtr_cell on = node < board->places ? content->mission->place[node] : content->start[node - board->places];
+    const qtr_cell on =
+        node < board->places ? content->mission->place[place_at(board, node)] : content->start[node - board->places];
     const uint32_t cell = in_table(content->mission, &box, on);
     if (bytes == 2)
       qtr_store16(at, cell);
@@ -175,14 +223,50 @@ static void write_cells(uint8_t *at, const qtr_table_content *content) {
 }
 
 /* Times as they are, but QTR_NEVER, which is cut to its lowest bytes: all ones at any width. */
+static uint8_t *write_steps(uint8_t *at, qtr_steps steps, uint8_t bytes) {
+  for (unsigned i = 0; i < bytes; i++) at[i] = (uint8_t)(steps >> (8 * i) & 0xFFu);
+  return at + bytes;
+}
+
 static void write_travel(uint8_t *at, const qtr_board *board) {
   const uint8_t bytes = step_bytes_of(board);
-  for (unsigned node = 0; node < qtr_board_nodes(board); node++) {
-    for (unsigned place = 0; place < board->places; place++, at += bytes) {
-      const qtr_steps steps = qtr_board_class_steps(board, 0, node, place);
-      for (unsigned i = 0; i < bytes; i++) at[i] = (uint8_t)(steps >> (8 * i) & 0xFFu);
-    }
+  for (unsigned of_class = 0; of_class < qtr_board_classes(board); of_class++)
+    for (unsigned node = 0; node < qtr_board_nodes(board); node++)
+      for (unsigned place = 0; place < board->places; place++)
+        at = write_steps(at, qtr_board_class_steps(board, of_class, node, place), bytes);
+}
+
+static uint8_t *write_classes(uint8_t *at, const qtr_table_content *content) {
+  const qtr_board *board = content->board;
+  for (unsigned i = 0; i < qtr_board_classes(board); i++, at += QTR_TERMS_CLASS_BYTES) {
+    qtr_store16(at, content->mission->robot_class[i].cell_steps);
+    at[2] = content->mission->robot_class[i].smooth_only;
   }
+  for (unsigned i = 0; i < board->seekers; i++) *at++ = board->terms.class_of[i];
+  return at;
+}
+
+static uint8_t *write_ends(uint8_t *at, const qtr_board *board) {
+  const uint8_t bytes = step_bytes_of(board);
+  for (unsigned i = 0; i < board->seekers; i++, at += 4) qtr_store32(at, qtr_board_end(board, i));
+  for (unsigned i = 0; i < board->seekers; i++)
+    for (unsigned place = 0; place < board->places; place++)
+      at = write_steps(at, qtr_board_home(board, i, place), bytes);
+  return at;
+}
+
+/* In the order in which a robot finds them; of ends there are ways home, too. */
+static void write_terms(uint8_t *at, const qtr_table_content *content) {
+  const qtr_board *board = content->board;
+  if (!has_terms(content)) return;
+  store_double(at + QTR_TERMS_FINDABLE, content->terms != NULL ? content->terms->findable : 1.0);
+  store_double(at + QTR_TERMS_HOME_WEIGHT, content->terms != NULL ? content->terms->home_weight : 0.0);
+  at = write_classes(at + QTR_TERMS_CLASS, content);
+  for (unsigned i = 0; board->terms.ready != NULL && i < board->seekers; i++, at += 4)
+    qtr_store32(at, qtr_board_ready(board, i));
+  if (board->terms.end != NULL) at = write_ends(at, board);
+  for (unsigned place = 0; board->terms.look_of != NULL && place < board->places; place++, at += 2)
+    qtr_store16(at, place_at(board, place));
 }
 
 /* In units of 2^-32, to the nearest; never 0, for a place that holds nothing is none of the mission's. */
@@ -221,7 +305,8 @@ static void write_places(uint8_t *cleared, uint8_t *numbers, const qtr_table_con
   for (unsigned place = 0; place < content->board->places; place++) {
     if (content->cleared != NULL && qtr_places_has(content->cleared, place))
       cleared[place / 8] = (uint8_t)(cleared[place / 8] | 1u << place % 8);
-    if (content->mission->number != NULL) qtr_store16(numbers + 2 * place, content->mission->number[place]);
+    if (content->mission->number != NULL)
+      qtr_store16(numbers + 2 * place, content->mission->number[place_at(content->board, place)]);
   }
 }
 
@@ -233,6 +318,7 @@ static void write_sections(uint8_t *bytes, const qtr_policy *layout, const qtr_t
   write_cells(bytes + layout->at[SECTION_CELLS], content);
   write_weights(bytes + layout->at[SECTION_WEIGHTS], content);
   write_travel(bytes + layout->at[SECTION_TRAVEL], board);
+  write_terms(bytes + layout->at[SECTION_TERMS], content);
   if (records > 0) memcpy(bytes + layout->at[SECTION_RECORDS], content->records, records);
   write_grid(bytes + layout->at[SECTION_GRID], content);
   write_regions(bytes + layout->at[SECTION_REGIONS], content);
@@ -254,6 +340,7 @@ int32_t qtr_table_write(const qtr_table_content *content, uint8_t *bytes, uint32
   memset(bytes, 0, needed);
   write_dimensions(bytes, content, needed);
   write_map(bytes, content);
+  write_terms_words(bytes, content);
   write_certificate(bytes, content);
   write_sections(bytes, &layout, content);
   seal(bytes, needed);

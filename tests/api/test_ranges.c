@@ -216,7 +216,13 @@ static void test_node_or_place_that_is_none_has_no_cell_weight_or_way(void) {
       TEST_ASSERT_EQUAL_MESSAGE(QTR_POLICY_NO_REGION, qtr_policy_region(&policy, cell), case_note);
       const bool nobody = seeker >= policy.board.seekers;
       if (node >= nodes || place >= places || nobody) TEST_ASSERT_EQUAL_UINT32_MESSAGE(QTR_NEVER, steps, case_note);
+      if (!nobody) TEST_ASSERT_EQUAL_UINT32_MESSAGE(0, qtr_board_ready(&policy.board, seeker), case_note);
+      if (!nobody) TEST_ASSERT_EQUAL_UINT32_MESSAGE(QTR_NEVER, qtr_board_end(&policy.board, seeker), case_note);
+      TEST_ASSERT_EQUAL_UINT_MESSAGE(place, qtr_policy_place(&policy, place), case_note);
+      TEST_ASSERT_EQUAL_UINT8_MESSAGE(policy.grid.encoding, qtr_policy_ground(&policy, seeker).encoding, case_note);
       const unsigned of_class = any_number(&random, qtr_board_classes(&policy.board));
+      const uint32_t cell_steps = qtr_claim_cell_steps(&policy, of_class);
+      TEST_ASSERT_EQUAL_UINT32_MESSAGE(of_class < qtr_board_classes(&policy.board), cell_steps, case_note);
       const qtr_steps times = qtr_board_class_steps(&policy.board, of_class, node, place);
       if (of_class >= qtr_board_classes(&policy.board)) TEST_ASSERT_EQUAL_UINT32_MESSAGE(QTR_NEVER, times, case_note);
     }
@@ -312,6 +318,18 @@ static void test_starts_that_are_none_are_refused(void) {
     qtr_claim_read(&claim, &policy);
     TEST_ASSERT_EQUAL_UINT8(QTR_VERSION_MINOR, claim.version[1]);
   }
+}
+
+/* The ways home stand as the travel times do, in as many bytes. */
+static void test_ways_home_are_read_by_seeker_and_place(void) {
+  static const uint8_t home[4] = {3, 0xFF, 5, 7}, end[8] = {9, 0, 0, 0, 0xFF, 0xFF, 0xFF, 0xFF};
+  const qtr_board board = {
+      .places = 2, .starts = 1, .seekers = 2, .step_bytes = 1, .terms = {.end = end, .home = home}};
+  TEST_ASSERT_EQUAL_UINT32(3, qtr_board_home(&board, 0, 0));
+  TEST_ASSERT_EQUAL_UINT32(QTR_NEVER, qtr_board_home(&board, 0, 1));
+  TEST_ASSERT_EQUAL_UINT32(7, qtr_board_home(&board, 1, 1));
+  TEST_ASSERT_EQUAL_UINT32(9, qtr_board_end(&board, 0));
+  TEST_ASSERT_EQUAL_UINT32(QTR_NEVER, qtr_board_end(&board, 1));
 }
 
 /* Boards whose numbers are anything; what initialises can be measured and started. */
@@ -427,6 +445,7 @@ int main(void) {
   RUN_TEST(test_node_or_place_that_is_none_has_no_cell_weight_or_way);
   RUN_TEST(test_seeker_or_choice_that_is_none_changes_nothing);
   RUN_TEST(test_starts_that_are_none_are_refused);
+  RUN_TEST(test_ways_home_are_read_by_seeker_and_place);
   RUN_TEST(test_board_of_any_numbers_is_refused_or_playable);
   RUN_TEST(test_objectives_are_three);
   RUN_TEST(test_status_of_any_number_has_a_text);

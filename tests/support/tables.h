@@ -96,7 +96,7 @@ static inline void table_draw_regions(void) {
   for (unsigned cell = 0; cell < 14; cell++) of[cell] = cell < 7 ? region[cell] : region[cell - 7 == 4 ? 5 : cell - 7];
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_board_init(&board));
   const qtr_table_content content = {
-      &table_mission, &board, table_game.probability, start, of, NULL, 0, &certificate, 1, NULL, NULL};
+      &table_mission, &board, table_game.probability, start, of, NULL, 0, &certificate, 1, NULL, NULL, NULL};
   const int32_t written = qtr_table_write(&content, table_bytes, sizeof table_bytes);
   TEST_ASSERT_GREATER_THAN(0, written);
   table_size = (uint32_t)written;

@@ -184,16 +184,21 @@ static void test_what_is_not_for_terms(void) {
   TEST_ASSERT_NOT_NULL(strstr(learnt.err, "--deadline is the deadline objective's"));
 }
 
-/* Robots would play another game by it than was learnt. */
-static void test_no_table_is_written_that_lacks_the_terms(void) {
-  static const char *const terms[] = {"scan_seconds: 1\n", "detection: 0.9\nscan_seconds: 1\n", "step_seconds: 0.5\n",
-                                      "objective: time\nhome_weight: 1\n",
+/* What the table holds is played as it was planned. */
+static void test_table_of_a_mission_with_terms_is_written_and_played(void) {
+  static const char *const terms[] = {"scan_seconds: 1\n", "detection: 0.9\nlooks: 2\nscan_seconds: 1\n",
+                                      "step_seconds: 0.5\n", "objective: time\nhome_weight: 1\n",
                                       "objective: deadline\ndeadline_seconds: 60\n"};
   for (int i = 0; i < 5; i++) {
     char text[400];
     snprintf(text, sizeof text, MAP ONE "places: [{column: 2, row: 0}]\n%s", terms[i]);
-    refuse(text, "-o t.qtr", "a policy table cannot hold the mission's terms yet", "without a table");
-    TEST_ASSERT_NULL(fopen("t.qtr", "rb"));
+    write_file("m.yaml", text);
+    run_tool(&learnt, "learn m.yaml -o t.qtr --json");
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, learnt.status, learnt.err);
+    run_tool(&learnt, "inspect t.qtr --json");
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, learnt.status, learnt.err);
+    run_tool(&learnt, "simulate t.qtr --json");
+    TEST_ASSERT_EQUAL_INT_MESSAGE(0, learnt.status, learnt.err);
   }
 }
 
@@ -234,7 +239,7 @@ int main(void) {
   RUN_TEST(test_a_class_of_nobody_is_warned_of);
   RUN_TEST(test_what_cannot_be_played);
   RUN_TEST(test_what_is_not_for_terms);
-  RUN_TEST(test_no_table_is_written_that_lacks_the_terms);
+  RUN_TEST(test_table_of_a_mission_with_terms_is_written_and_played);
   RUN_TEST(test_seconds_of_routes_are_those_of_metres_and_scans);
   return UNITY_END();
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "host/table/certificate.h"
+#include "quarter/claim.h"
 #include "quarter/objective.h"
 
 /* One robot and its body: what the executor does not know of. */
@@ -20,6 +21,7 @@ typedef struct {
   double factor;     /* how much longer its moves take */
   qtr_steps lost;    /* from when on it does nothing more */
   bool moving;
+  bool scanning; /* its target, until it is ready */
 } robot;
 
 typedef struct {
@@ -92,6 +94,7 @@ static int make_world(world *w, const table *t, const qtr_deployment *deployment
     r->cell = config->froms > 0 ? table_cell(t, config->from[i].column, config->from[i].row)
                                 : qtr_policy_cell(&t->policy, (unsigned)board->places + board->start_of[i]);
     r->factor = 1.0;
+    r->ready = qtr_board_ready(board, (unsigned)i);
     r->lost = QTR_NEVER;
     qtr_seeker_init(&r->seeker, &t->policy, (unsigned)i, deployment, 0);
   }
@@ -121,14 +124,30 @@ static void record_visit(simulation *s, world *w, int i, uint16_t place, qtr_ste
   s->visit[s->visits++] = (simulation_visit){place, (uint8_t)i, now};
 }
 
+/* Steps that a robot takes to scan a place where it stands. */
+static qtr_steps scan_steps(const world *w, int i, unsigned place) {
+  return qtr_board_steps(&w->t->policy.board, (unsigned)i, place, place);
+}
+
+/* Begin to scan the target; true if that takes a while from now. */
+static bool begin_scan(const world *w, robot *r, int i, unsigned place, qtr_steps now) {
+  const double takes = r->factor * scan_steps(w, i, place);
+  const double from = now - r->ready < 1.0 ? r->ready : (double)now;
+  r->scanning = true;
+  if (takes > 0.0) r->ready = from + takes;
+  return r->ready > now;
+}
+
 /* A robot scans the places it stands on, and learns where to go next. */
 static bool scan(simulation *s, world *w, int i, qtr_steps now) {
   robot *r = &w->robots[i];
   if (now >= r->lost) return false;
   const uint16_t place = qtr_seeker_target(&r->seeker);
   if (place == QTR_STAND_DOWN || r->moving || qtr_policy_cell(&w->t->policy, place) != r->cell) return false;
+  if (!r->scanning && begin_scan(w, r, i, place, now)) return false;
+  r->scanning = false;
   record_visit(s, w, i, place, now);
-  if ((int)place == w->config->target && s->found_step == QTR_NEVER) {
+  if ((int)qtr_policy_place(&w->t->policy, place) == w->config->target && s->found_step == QTR_NEVER) {
     s->found_step = now;
     if (!w->config->clear_all) {
       qtr_seeker_found(&r->seeker);
@@ -153,7 +172,8 @@ static void announce(simulation *s, world *w, int i, qtr_steps now) {
 
 /* The cells to the robot's target, or to another one where that is out of reach. False: it has none left. */
 static bool find_way(world *w, robot *r) {
-  const qtr_grid *grid = &w->t->policy.grid;
+  const qtr_grid ground = qtr_policy_ground(&w->t->policy, r->seeker.self);
+  const qtr_grid *grid = &ground;
   if (!qtr_seeker_field(&r->seeker, w->field, r->cell)) return false;
   r->heading = qtr_seeker_target(&r->seeker);
   r->entered = r->cells = 0;
@@ -167,12 +187,13 @@ static void set_out(world *w, int i, qtr_steps now) {
   robot *r = &w->robots[i];
   if (now >= r->lost) return;
   const uint16_t target = qtr_seeker_target(&r->seeker);
-  if (target == QTR_STAND_DOWN || r->moving || r->ready > now) return;
+  if (target == QTR_STAND_DOWN || r->moving || r->scanning || r->ready > now) return;
   if (r->heading != target && !find_way(w, r)) return;
   r->entering = r->entered < r->cells ? r->way[r->entered++] : r->cell;
   /* A slow robot that moves on at once keeps the fraction of a step that it was early. */
   const double from = now - r->ready < 1.0 ? r->ready : (double)now;
-  r->ready = from + r->factor * qtr_grid_cost(&w->t->policy.grid, r->entering);
+  const uint32_t cell_steps = qtr_claim_cell_steps(&w->t->policy, w->t->policy.board.terms.class_of[i]);
+  r->ready = from + r->factor * cell_steps * qtr_grid_cost(&w->t->policy.grid, r->entering);
   r->moving = true;
 }
 
@@ -206,15 +227,26 @@ static int left_over(const world *w) {
   return left;
 }
 
+/* The likelihood that a look counts, which goes by how many were made at its place before. */
+static double likelihood_of(const simulation *s, const world *w, int visit) {
+  const qtr_policy *policy = &w->t->policy;
+  const unsigned place = qtr_policy_place(policy, s->visit[visit].place);
+  unsigned before = 0;
+  for (int i = 0; i < visit; i++) before += qtr_policy_place(policy, s->visit[i].place) == place;
+  for (unsigned look = 0; look < policy->board.places; look++)
+    if (qtr_policy_place(policy, look) == place && before-- == 0) return table_probability(w->t, look);
+  return 0.0;
+}
+
 static void add_up(simulation *s, const world *w) {
   const table_certificate c = table_certificate_of(&w->t->policy);
   s->value = 0.0;
   double visited = 0.0;
   double sum = 0.0;
   for (int i = 0; i < s->visits; i++) {
-    const double probability = table_probability(w->t, s->visit[i].place);
+    const double probability = likelihood_of(s, w, i);
     const qtr_steps step = s->visit[i].step;
-    s->value += QTR_REWARD_SCALE * probability * pow(c.gamma, step > 0 ? step - 1.0 : 0.0);
+    s->value += QTR_REWARD_SCALE * c.findable * probability * pow(c.gamma, step > 0 ? step - 1.0 : 0.0);
     visited += probability;
     sum += probability * step;
   }

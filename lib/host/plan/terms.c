@@ -189,9 +189,10 @@ bool terms_any(const qtr_mission *mission) {
          all->cell_steps > 1 || avoids(mission);
 }
 
-int terms_check_table(const input *in, fault *why) {
+int terms_check_demo(const input *in, fault *why) {
   if (!terms_any(&in->mission)) return 0;
-  return file_fault(why, in->path, 0, 0,
-                    "a policy table cannot hold the mission's terms yet (classes, scan times, detection, ready times, "
-                    "endurance, a deadline, home_weight, a step_seconds of its own); learn it without a table");
+  return file_fault(
+      why, in->path, 0, 0,
+      "the demo cannot play the mission's terms yet (classes, scan times, detection, ready times, "
+      "endurance, a deadline, home_weight, a step_seconds of its own); `quarter simulate` plays its table");
 }

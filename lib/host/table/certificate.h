@@ -12,7 +12,10 @@ typedef struct {
   uint8_t objective; /* enum qtr_objective_kind */
   bool certified;
   double gamma, value, expected_time, bound, gap;
-  double figure; /* value or expected time, whichever the objective asks for */
+  double figure;                       /* value, expected time or found, whichever the objective asks for */
+  double found, findable, home_weight; /* as quarter/claim.h has them */
+  qtr_steps deadline;
+  unsigned own_places;
   uint64_t seed;
   unsigned version[3]; /* of the library that wrote it */
 } table_certificate;

@@ -100,7 +100,7 @@ static layout policy_of(const robot_sizes *sizes, const robot_processor *process
   layout l = begin(processor);
   put_pointers(&l, 1);
   put(&l, 1, 4); /* size */
-  put(&l, 3, 1); /* format, features, any_start */
+  put(&l, 4, 1); /* format, features, terms, any_start */
   put_struct(&l, record_shape_of(processor));
   put_struct(&l, board_of(sizes, processor));
   put_struct(&l, grid_of(processor));

@@ -10,7 +10,7 @@
 
 typedef struct {
   qtr_cell cell;  /* of the table's grid */
-  qtr_steps step; /* of arrival */
+  qtr_steps step; /* of arrival; at a place, of the end of its scan */
   int place;      /* of the table, where the robot goes to one; WAY_NO_PLACE: it passes through */
 } waypoint;
 
