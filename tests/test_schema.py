@@ -22,6 +22,8 @@ FILES = {
     "map.pgm": "P2 20 20 1\n" + "1 " * 400,
     "map.yaml": "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
     "places.csv": "x,y,weight\n5.5,5.5,1\n",
+    "keepout.pgm": "P2 20 20 255\n" + "0 " + "255 " * 399,
+    "terrain.pgm": "P2 20 20 255\n" + "2 " * 400,
     "likelihood.pgm": "P2 20 20 255\n" + "0 " * 210 + "9 " + "0 " * 189,
 }
 
@@ -71,6 +73,8 @@ def item_of(mission, title, root, tops):
             return mission.setdefault(key, load(tops[key]))
         if of.get("items", {}).get("title") == title:
             return mission.setdefault(key, load(tops[key]))[0]
+        if of.get("items", {}).get("items", {}).get("title") == title:
+            return mission.setdefault(key, load(tops[key]))[0][0]
         if isinstance(of.get("additionalProperties"), dict) and of["additionalProperties"]["title"] == title:
             return next(iter(mission.setdefault(key, load(tops[key])).values()))
     raise KeyError(title)

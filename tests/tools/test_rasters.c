@@ -34,9 +34,25 @@ static void test_a_raster_that_does_not_lie_on_the_map_is_refused(void) {
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.err, "likely.asc: it spans x 70 to 71 and y 0 to 1"), r.err);
 }
 
+/* The wall leaves a way round below; mud beside the start costs more than its detour. */
+static void test_barred_and_rough_ground_is_gone_round(void) {
+  write_file("barred.yaml", "map: field.txt\nplaces: [{column: 6, row: 0}]\nrobots: [{column: 0, row: 0}]\n"
+                            "no_go: [[{x: 3, y: 1}, {x: 4, y: 1}, {x: 4, y: 4}, {x: 3, y: 4}]]\n");
+  run_tool(&r, "learn barred.yaml --objective time --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9, 12.0, json_value(r.out, "expected_time"));
+  write_file("mud.asc", "ncols 1\nnrows 1\nxllcorner 1\nyllcorner 3\ncellsize 1\n9\n");
+  write_file("barred.yaml", "map: field.txt\nplaces: [{column: 6, row: 0}]\nrobots: [{column: 0, row: 0}]\n"
+                            "terrain: mud.asc\n");
+  run_tool(&r, "learn barred.yaml --objective time --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9, 8.0, json_value(r.out, "expected_time"));
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_a_raster_is_learnt_as_its_tiles_are_when_they_are_listed);
   RUN_TEST(test_a_raster_that_does_not_lie_on_the_map_is_refused);
+  RUN_TEST(test_barred_and_rough_ground_is_gone_round);
   return UNITY_END();
 }

@@ -102,8 +102,9 @@ typedef struct {
   char path[INPUT_PATH_SIZE]; /* the input itself */
   char map[INPUT_PATH_SIZE];  /* the map: the input again, or what the mission names */
   char csv[INPUT_PATH_SIZE];  /* the mission's places_csv; empty: none */
-  qtr_names names;            /* of the mission, its places and robots */
-  bool objective_given, gamma_given, rule_given; /* stated in the mission file */
+  char terrain[INPUT_PATH_SIZE], keepout[INPUT_PATH_SIZE]; /* likewise */
+  qtr_names names;                                         /* of the mission, its places and robots */
+  bool objective_given, gamma_given, rule_given;           /* stated in the mission file */
   input_ground ground;
   input_terms terms;
   input_origin start_origin[QTR_MAX_SEEKERS];

@@ -217,7 +217,7 @@ static int take_node(void *settings, const key_record *r, tree *yaml, tree_node 
   static const char *const wanted[] = {"a text", "a text", "a text", "a number", "a whole number"};
   char words[420];
   const value_site site = tree_site(yaml, node);
-  if (r->kind == KEY_LIST) return check_list(r, yaml, node);
+  if (r->kind == KEY_LIST || r->kind == KEY_POLYGONS) return check_list(r, yaml, node);
   if (r->kind == KEY_MAPPING || r->kind == KEY_NAMED) return 0;
   const bool is_word = r->kind == KEY_WORD || r->kind == KEY_SWITCH;
   if (is_word) value_words(words, sizeof words, words_of(r));

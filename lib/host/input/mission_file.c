@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "host/input/barred.h"
 #include "host/input/choose.h"
 #include "host/input/classes.h"
 #include "host/input/csv.h"
@@ -157,7 +158,7 @@ static int read_rest(input *in, tree *yaml, tree_node *root, const input_options
 /* The map, and where it lies: without a map named there is none. */
 static int read_ground(input *in, tree *yaml, tree_node *root, const input_options *options) {
   if (tree_find(yaml, root, "map") == NULL) return 0;
-  return read_map(in, yaml, root, options) || geo_read(in, yaml, root) ? -1 : 0;
+  return read_map(in, yaml, root, options) || geo_read(in, yaml, root) || barred_read(in, yaml, root) ? -1 : 0;
 }
 
 int mission_file_read(input *in, tree *yaml, const input_options *options) {

@@ -149,6 +149,12 @@ static const key_record geo_records[] = {
 
 const key_set mission_geo_keys = {"Where the map lies on the globe", geo_records, NULL, NULL};
 
+/* ---- the ground ---- */
+
+static const key_record corner_records[] = {POSITION, {.name = NULL}};
+
+const key_set mission_corner_keys = {"A corner of a polygon", corner_records, positions, "position"};
+
 /* ---- places out of a raster ---- */
 
 static const key_record raster_records[] = {
@@ -262,6 +268,27 @@ static const key_record mission_records[] = {
      .words = words_unknown,
      KEY_FIELD(input, ground.unknown),
      KEY_GIVEN(input, ground.unknown_given)},
+    {.name = "terrain",
+     .kind = KEY_FILE,
+     .help =
+         "what entering a cell takes in steps, 1 to 255, and 0 where no robot may go: a PGM or PNG whose grey, of 255, "
+         "says so, or an ESRI ASCII grid; the worst of what lies over a cell counts",
+     .example = "terrain.pgm",
+     .standard = "as the map says",
+     KEY_FIELD(input, terrain)},
+    {.name = "keepout",
+     .kind = KEY_FILE,
+     .help = "where no robot may go: the dark half of an image that covers the map (PGM, PNG), or numbers but 0 of an "
+             "ESRI ASCII grid; a cell that any of it cuts is blocked",
+     .example = "keepout.pgm",
+     .standard = "nowhere",
+     KEY_FIELD(input, keepout)},
+    {.name = "no_go",
+     .kind = KEY_POLYGONS,
+     .help = "likewise, polygons, each a list of its corners in their order around it; a cell that one cuts is blocked",
+     .example = "[[{x: 0.5, y: 0.5}, {x: 1.5, y: 0.5}, {x: 1, y: 1.2}]]",
+     .standard = "nowhere",
+     .items = &mission_corner_keys},
     {.name = "robots",
      .kind = KEY_LIST,
      .help = "where the robots start, an item each (or one, and --robots K for K of them)",

@@ -37,6 +37,7 @@ extern const key_set mission_keys;        /* into an `input` */
 extern const key_set mission_robot_keys;  /* into a mission_site */
 extern const key_set mission_place_keys;  /* likewise */
 extern const key_set mission_geo_keys;    /* into a mission_geo */
+extern const key_set mission_corner_keys; /* into a mission_site */
 extern const key_set mission_raster_keys; /* into a mission_raster */
 extern const key_set mission_class_keys;  /* into an input_class */
 

@@ -35,11 +35,31 @@ static void write_items(json *j, const key_record *r) {
   json_end_object(j);
 }
 
+static void write_polygons(json *j, const key_record *r) {
+  json_string(j, "type", "array");
+  json_object(j, "items");
+  json_string(j, "type", "array");
+  json_integer(j, "minItems", 3);
+  json_object(j, "items");
+  write_set(j, r->items);
+  json_end_object(j);
+  json_end_object(j);
+}
+
 static void write_named(json *j, const key_record *r) {
   json_string(j, "type", "object");
   json_object(j, "additionalProperties");
   write_set(j, r->items);
   json_end_object(j);
+}
+
+static void write_compound(json *j, const key_record *r) {
+  switch (r->kind) {
+  case KEY_LIST: write_items(j, r); break;
+  case KEY_POLYGONS: write_polygons(j, r); break;
+  case KEY_MAPPING: write_set(j, r->items); break;
+  default: write_named(j, r); break;
+  }
 }
 
 static void write_type(json *j, const key_record *r) {
@@ -49,13 +69,12 @@ static void write_type(json *j, const key_record *r) {
   case KEY_FILE: json_string(j, "type", "string"); break;
   case KEY_WORD: write_strings(j, "enum", r->words); break;
   case KEY_SWITCH: json_string(j, "type", "boolean"); break;
-  case KEY_LIST: write_items(j, r); break;
-  case KEY_MAPPING: write_set(j, r->items); break;
-  case KEY_NAMED: write_named(j, r); break;
-  default:
+  case KEY_INTEGER:
+  case KEY_NUMBER:
     json_string(j, "type", r->kind == KEY_INTEGER ? "integer" : "number");
     write_range(j, r);
     break;
+  default: write_compound(j, r); break;
   }
 }
 
