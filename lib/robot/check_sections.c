@@ -57,7 +57,7 @@ static int check_terms(const qtr_policy *policy) {
   if ((policy->features & (unsigned)QTR_FEATURE_TERMS) == 0u) {
     return QTR_OK;
   }
-  const unsigned own = qtr_load16(policy->bytes + QTR_POLICY_OWN_PLACES);
+  const unsigned own = (unsigned)qtr_load16(policy->bytes + QTR_POLICY_OWN_PLACES);
   const bool agree = (policy->terms <= 31u) && looks_agree(policy, own) && classes_agree(policy);
   return agree ? QTR_OK : QTR_ERR_CORRUPT;
 }
