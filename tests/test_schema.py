@@ -22,6 +22,7 @@ FILES = {
     "map.pgm": "P2 20 20 1\n" + "1 " * 400,
     "map.yaml": "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
     "places.csv": "x,y,weight\n5.5,5.5,1\n",
+    "places.geojson": '{"type": "Point", "coordinates": [6.5, 6.5], "crs": {"properties": {"name": "local"}}}',
     "keepout.pgm": "P2 20 20 255\n" + "0 " + "255 " * 399,
     "terrain.pgm": "P2 20 20 255\n" + "2 " * 400,
     "likelihood.pgm": "P2 20 20 255\n" + "0 " * 210 + "9 " + "0 " * 189,

@@ -106,7 +106,7 @@ static void test_polygons_that_are_none(void) {
   refuse("no_go", "[{x: 1, y: 1}]", "m.yaml:4", "polygon 0 of 'no_go' is not a list", "write its corners");
   refuse("no_go", "[[{x: 1, y: nan}, {x: 2, y: 1}, {x: 1, y: 2}]]", "m.yaml:4", "'y'", "number");
   refuse("no_go", "[[{x: 1}, {x: 2, y: 1}, {x: 1, y: 2}]]", "m.yaml:4", "corner 0 of polygon 0", "y");
-  refuse("no_go", "3", "m.yaml:4", "'no_go'", "list");
+  refuse("no_go", "{}", "m.yaml:4", "'no_go'", "list");
 }
 
 /* A place on barred ground is told of like one on an obstacle. */

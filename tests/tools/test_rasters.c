@@ -34,6 +34,22 @@ static void test_a_raster_that_does_not_lie_on_the_map_is_refused(void) {
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.err, "likely.asc: it spans x 70 to 71 and y 0 to 1"), r.err);
 }
 
+static void test_points_of_a_geojson_are_learnt_as_they_are_when_they_are_listed(void) {
+  write_file("points.json", "{\"type\": \"FeatureCollection\", \"crs\": {\"properties\": {\"name\": \"local\"}}, "
+                            "\"features\": [{\"type\": \"Feature\", \"properties\": {\"POA\": 9, \"name\": \"Barn\"}, "
+                            "\"geometry\": {\"type\": \"Point\", \"coordinates\": [5.5, 3.5]}}, {\"type\": "
+                            "\"Feature\", \"properties\": {\"POA\": 5}, \"geometry\": {\"type\": \"Polygon\", "
+                            "\"coordinates\": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}}]}");
+  write_file("points.yaml", "map: field.txt\nplaces_geojson: {file: points.json, footprint: 1}\n"
+                            "robots: [{column: 0, row: 0}, {column: 0, row: 0}]\n");
+  run_tool(&r, "learn listed.yaml --objective time --json");
+  const double listed = json_value(r.out, "expected_time");
+  run_tool(&r, "learn points.yaml --objective time --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9, listed, json_value(r.out, "expected_time"));
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "Barn"), r.out);
+}
+
 /* The wall leaves a way round below; mud beside the start costs more than its detour. */
 static void test_barred_and_rough_ground_is_gone_round(void) {
   write_file("barred.yaml", "map: field.txt\nplaces: [{column: 6, row: 0}]\nrobots: [{column: 0, row: 0}]\n"
@@ -53,6 +69,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_a_raster_is_learnt_as_its_tiles_are_when_they_are_listed);
   RUN_TEST(test_a_raster_that_does_not_lie_on_the_map_is_refused);
+  RUN_TEST(test_points_of_a_geojson_are_learnt_as_they_are_when_they_are_listed);
   RUN_TEST(test_barred_and_rough_ground_is_gone_round);
   return UNITY_END();
 }

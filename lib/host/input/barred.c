@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "host/base/memory.h"
+#include "host/input/geojson.h"
 #include "host/input/mission_keys.h"
 #include "host/input/overlay.h"
 #include "host/input/polygon.h"
@@ -117,28 +118,66 @@ static int read_polygon(polygon *p, const input *in, tree *yaml, tree_node *list
   return tree_fault(yaml, list, "polygon %d of 'no_go' %s", index, wrong);
 }
 
+static void bar(input *in, const uint8_t *mask) {
+  const size_t cells = qtr_mission_cells(&in->mission);
+  for (size_t cell = 0; cell < cells; cell++)
+    if (mask[cell] != 0) in->mission.cost[cell] = 0;
+}
+
 static int bar_polygon(input *in, uint8_t *mask, tree *yaml, tree_node *list, int index) {
   static polygon p;
   char span[200];
-  const size_t cells = qtr_mission_cells(&in->mission);
   if (read_polygon(&p, in, yaml, list, index)) return -1;
-  memset(mask, 0, cells);
-  if (polygon_mark(mask, &p, &in->mission, false) == 0) {
+  memset(mask, 0, qtr_mission_cells(&in->mission));
+  if (polygon_mark(mask, &p, &in->mission, POLYGON_CUTS) == 0) {
     frame_span(span, sizeof span, in, true);
     return tree_fault(yaml, list, "polygon %d of 'no_go' lies outside the map, %s; move or drop it", index, span);
   }
-  for (size_t cell = 0; cell < cells; cell++)
-    if (mask[cell] != 0) in->mission.cost[cell] = 0;
+  bar(in, mask);
   return 0;
 }
 
+static int bar_list(input *in, uint8_t *mask, tree *yaml, tree_node *list) {
+  for (int i = 0; i < tree_count(list); i++)
+    if (bar_polygon(in, mask, yaml, tree_item(yaml, list, i), i)) return -1;
+  return 0;
+}
+
+typedef struct {
+  input *in;
+  uint8_t *mask;
+} barring;
+
+static int bar_feature(void *context, geojson *g, const geojson_feature *f) {
+  const barring *b = context;
+  if (!geojson_is_area(f))
+    return tree_fault(&g->file, f->node, "feature %d is a %.40s; 'no_go' takes Polygons alone", f->index, f->type);
+  if (geojson_mark(g, f, b->mask, false) < 0) return -1;
+  bar(b->in, b->mask);
+  return 0;
+}
+
+static int bar_file(input *in, uint8_t *mask, tree *yaml, tree_node *node, const char *name) {
+  static char path[INPUT_PATH_SIZE];
+  char named_by[INPUT_PATH_SIZE + 32];
+  barring b = {in, mask};
+  geojson g;
+  snprintf(named_by, sizeof named_by, "%s:%d", yaml->path, tree_line(node));
+  if (file_path_beside(path, sizeof path, yaml->path, name, yaml->why)) return -1;
+  if (geojson_open(&g, in, path, named_by, yaml->why)) return -1;
+  const int result = geojson_each(&g, bar_feature, &b);
+  geojson_close(&g);
+  return result;
+}
+
 static int read_no_go(input *in, tree *yaml, tree_node *root) {
+  const char *name;
   tree_node *node = tree_find(yaml, root, "no_go");
-  const int count = node == NULL ? 0 : tree_count(node);
-  if (count <= 0) return 0;
+  if (node == NULL) return 0;
   uint8_t *mask = memory_take(qtr_mission_cells(&in->mission), yaml->why);
-  int result = mask == NULL ? -1 : 0;
-  for (int i = 0; i < count && result == 0; i++) result = bar_polygon(in, mask, yaml, tree_item(yaml, node, i), i);
+  if (mask == NULL) return -1;
+  const int result =
+      tree_plain(yaml, node, &name) ? bar_file(in, mask, yaml, node, name) : bar_list(in, mask, yaml, node);
   free(mask);
   return result != 0 ? -1 : check_left(in, yaml, node, "no_go");
 }

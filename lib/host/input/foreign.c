@@ -21,7 +21,7 @@ static const struct {
     {"{", {"\"fileType\""}, "a QGroundControl plan, which is not read; list its waypoints as places; " MAPS},
     {"{",
      {"\"FeatureCollection\"", "\"Feature\"", "\"coordinates\""},
-     "a GeoJSON, which is not read; list its points as places (places_csv); " MAPS},
+     "a GeoJSON, which is no map; name it under places_geojson; " MAPS},
     {"{", {"\"tilewidth\""}, "a Tiled map, which is not read; " MAPS},
     {"QGC WPL", {NULL}, "a list of waypoints for a drone, which is not read; list them as places; " MAPS},
     {"<", {"<kml"}, "a KML, which is not read; list its points as places (places_csv); " MAPS},

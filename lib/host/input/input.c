@@ -9,6 +9,7 @@ const char *input_source_path(const input *in, input_origin origin) {
   switch (origin.source) {
   case INPUT_FROM_MAP: return in->map;
   case INPUT_FROM_CSV: return in->csv;
+  case INPUT_FROM_GEOJSON: return in->geojson;
   case INPUT_FROM_OPTION: return "--add";
   default: return in->path;
   }

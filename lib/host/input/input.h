@@ -86,7 +86,7 @@ typedef struct {
 } input_terms;
 
 /* The file in which a start or place is stated. */
-enum input_source { INPUT_FROM_MISSION, INPUT_FROM_MAP, INPUT_FROM_CSV, INPUT_FROM_OPTION };
+enum input_source { INPUT_FROM_MISSION, INPUT_FROM_MAP, INPUT_FROM_CSV, INPUT_FROM_GEOJSON, INPUT_FROM_OPTION };
 
 typedef struct {
   uint8_t source; /* enum input_source */
@@ -96,15 +96,16 @@ typedef struct {
 
 typedef struct {
   qtr_mission mission;
-  input_frame frame;          /* as positions are stated; mission.frame is the same one as a table holds it */
-  double across, upward;      /* cells that the map spans, where its edge cuts the last of them; 0: all of them */
-  qtr_geo geo;                /* where the frame lies on the globe */
-  char path[INPUT_PATH_SIZE]; /* the input itself */
-  char map[INPUT_PATH_SIZE];  /* the map: the input again, or what the mission names */
-  char csv[INPUT_PATH_SIZE];  /* the mission's places_csv; empty: none */
-  char terrain[INPUT_PATH_SIZE], keepout[INPUT_PATH_SIZE]; /* likewise */
-  qtr_names names;                                         /* of the mission, its places and robots */
-  bool objective_given, gamma_given, rule_given;           /* stated in the mission file */
+  input_frame frame;             /* as positions are stated; mission.frame is the same one as a table holds it */
+  double across, upward;         /* cells that the map spans, where its edge cuts the last of them; 0: all of them */
+  qtr_geo geo;                   /* where the frame lies on the globe */
+  char path[INPUT_PATH_SIZE];    /* the input itself */
+  char map[INPUT_PATH_SIZE];     /* the map: the input again, or what the mission names */
+  char csv[INPUT_PATH_SIZE];     /* the mission's places_csv; empty: none */
+  char geojson[INPUT_PATH_SIZE]; /* of its places_geojson; likewise, as are those below */
+  char terrain[INPUT_PATH_SIZE], keepout[INPUT_PATH_SIZE];
+  qtr_names names;                               /* of the mission, its places and robots */
+  bool objective_given, gamma_given, rule_given; /* stated in the mission file */
   input_ground ground;
   input_terms terms;
   input_origin start_origin[QTR_MAX_SEEKERS];

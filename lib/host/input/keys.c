@@ -208,7 +208,8 @@ static int check_either(const key_set *set, tree *yaml, tree_node *mapping, cons
 /* ---- reading ---- */
 
 static int check_list(const key_record *r, tree *yaml, tree_node *node) {
-  if (tree_count(node) >= 0) return 0;
+  const char *file;
+  if (tree_count(node) >= 0 || (r->kind == KEY_POLYGONS && tree_plain(yaml, node, &file))) return 0;
   return tree_fault(yaml, node, "'%s' is not a list; write one, such as \"%s: %s\": %s", r->name, r->name, r->example,
                     r->help);
 }

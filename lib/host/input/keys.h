@@ -18,7 +18,7 @@ enum key_kind {
   KEY_WORD,    /* one of `words`; its index, an integer of any size or a bool */
   KEY_SWITCH,  /* true or false; a bool */
   KEY_LIST, /* items, each with the keys of `items`, or, with NULL, single values; nowhere: the reader asks the tree */
-  KEY_POLYGONS, /* a list of polygons, each a list of corners with the keys of `items`; nowhere */
+  KEY_POLYGONS, /* a list of polygons, each a list of corners with the keys of `items`, or a file; nowhere */
   KEY_MAPPING,  /* one mapping with the keys of `items`; nowhere */
   KEY_NAMED     /* a mapping of names that the user chooses to mappings with the keys of `items`; nowhere */
 };

@@ -59,14 +59,6 @@ static int add_tiles(input *in, const raster *it, const mission_raster *key, tre
   return result;
 }
 
-/* A sensor that sees less than a cell would leave cells half seen. */
-static int check_footprint(const input *in, const mission_raster *key, tree *yaml, tree_node *node) {
-  if (key->footprint >= in->frame.cell_size * (1.0 - 1e-9)) return 0;
-  return tree_fault(yaml, node,
-                    "the footprint of %g is less than a cell, %g%s; choose smaller cells, or name a cell's side",
-                    key->footprint, in->frame.cell_size, in->frame.metric ? " m" : "");
-}
-
 int likelihood_read(input *in, tree *yaml, tree_node *root) {
   static mission_raster key;
   raster it;
@@ -75,7 +67,8 @@ int likelihood_read(input *in, tree *yaml, tree_node *root) {
   if (node == NULL || in->mission.columns == 0) return 0;
   key = (mission_raster){.share = 1.0};
   if (keys_read(&key, &mission_raster_keys, yaml, node, "'places_raster'", NULL)) return -1;
-  if (check_footprint(in, &key, yaml, node)) return -1;
+  const value_site site = tree_site(yaml, node);
+  if (tiles_check(in, key.footprint, &site)) return -1;
   snprintf(named_by, sizeof named_by, "%s:%d", yaml->path, tree_line(tree_find(yaml, node, "file")));
   if (raster_read(&it, key.file, named_by, yaml->why)) return -1;
   const int result = add_tiles(in, &it, &key, yaml, node);

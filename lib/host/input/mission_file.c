@@ -12,6 +12,7 @@
 #include "host/input/foreign.h"
 #include "host/input/frame.h"
 #include "host/input/geo.h"
+#include "host/input/geoplaces.h"
 #include "host/input/kind.h"
 #include "host/input/likelihood.h"
 #include "host/input/mission_keys.h"
@@ -41,7 +42,8 @@ static int read_map_bytes(input *in, tree *yaml, tree_node *root, const file_byt
   tree_node *node = tree_find(yaml, root, "map");
   drawing_marks marks = {tree_find(yaml, root, "robots") == NULL, tree_find(yaml, root, "places") == NULL &&
                                                                       tree_find(yaml, root, "places_csv") == NULL &&
-                                                                      tree_find(yaml, root, "places_raster") == NULL};
+                                                                      tree_find(yaml, root, "places_raster") == NULL &&
+                                                                      tree_find(yaml, root, "places_geojson") == NULL};
   enum kind kind = kind_of(in->map, bytes);
   if (kind == KIND_IMAGE) {
     return tree_fault(yaml, node, "'map' names %s, which has no scale; name the map_server YAML that goes with it",
@@ -170,6 +172,7 @@ int mission_file_read(input *in, tree *yaml, const input_options *options) {
   if (!input_goes_on(in, read_robots(in, yaml, root), yaml->why)) return -1;
   if (!input_goes_on(in, read_places(in, yaml, root), yaml->why)) return -1;
   if (!input_goes_on(in, read_csv(in, yaml, root), yaml->why)) return -1;
+  if (!input_goes_on(in, geoplaces_read(in, yaml, root), yaml->why)) return -1;
   if (!input_goes_on(in, likelihood_read(in, yaml, root), yaml->why)) return -1;
   return input_goes_on(in, read_rest(in, yaml, root, options), yaml->why) ? 0 : -1;
 }

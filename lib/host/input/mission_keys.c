@@ -190,6 +190,41 @@ static const key_record raster_records[] = {
 
 const key_set mission_raster_keys = {"Places out of a raster", raster_records, NULL, NULL};
 
+/* ---- places out of a GeoJSON ---- */
+
+static const key_record geojson_records[] = {
+    {.name = "file",
+     .kind = KEY_FILE,
+     .help =
+         "GeoJSON: each Point is a place, by its properties `weight` (or `poa`, `POA`, `likelihood`), `name` and other "
+         "keys of a place; the weight of each Polygon is spread evenly over it; in degrees, as `geo` puts them on the "
+         "map, or, where its `crs` is named \"local\", in metres in the map frame",
+     .example = "places.geojson",
+     .needed = true,
+     KEY_FIELD(mission_raster, file)},
+    {.name = "footprint",
+     .kind = KEY_NUMBER,
+     .help = "side of the tiles that polygons are cut into, as for a raster (in cells, on a map without metres)",
+     .example = "5",
+     .standard = "none: points alone are read",
+     .unit = "m",
+     .noun = "a length",
+     .most = HUGE_VAL,
+     .least_out = true,
+     KEY_FIELD(mission_raster, footprint)},
+    {.name = "share",
+     .kind = KEY_NUMBER,
+     .help = "as much of the polygons' likelihood that robots can get to is covered, the likeliest tiles first",
+     .example = "0.8",
+     .standard = "1",
+     .noun = "a share",
+     .most = 1.0,
+     .least_out = true,
+     KEY_FIELD(mission_raster, share)},
+    {.name = NULL}};
+
+const key_set mission_geojson_keys = {"Places out of a GeoJSON", geojson_records, NULL, NULL};
+
 /* ---- classes of robots ---- */
 
 static const key_record class_records[] = {{.name = "speed",
@@ -285,7 +320,9 @@ static const key_record mission_records[] = {
      KEY_FIELD(input, keepout)},
     {.name = "no_go",
      .kind = KEY_POLYGONS,
-     .help = "likewise, polygons, each a list of its corners in their order around it; a cell that one cuts is blocked",
+     .help = "likewise, polygons, each a list of its corners in their order around it, or the Polygons of a GeoJSON "
+             "file; a "
+             "cell that one cuts is blocked",
      .example = "[[{x: 0.5, y: 0.5}, {x: 1.5, y: 0.5}, {x: 1, y: 1.2}]]",
      .standard = "nowhere",
      .items = &mission_corner_keys},
@@ -311,6 +348,11 @@ static const key_record mission_records[] = {
      .help = "more places, out of a raster of likelihoods: those that a sensor must see to cover a share of them",
      .example = "{file: likelihood.pgm, footprint: 5, share: 0.8}",
      .items = &mission_raster_keys},
+    {.name = "places_geojson",
+     .kind = KEY_MAPPING,
+     .help = "more places, out of the points and polygons of a GeoJSON",
+     .example = "{file: places.geojson, footprint: 5}",
+     .items = &mission_geojson_keys},
     {.name = "cleared",
      .kind = KEY_LIST,
      .help =

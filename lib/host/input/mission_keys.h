@@ -23,7 +23,7 @@ typedef struct {
   double latitude, longitude, yaw;
 } mission_geo;
 
-/* Places out of a raster. */
+/* Places out of a raster, or a GeoJSON. */
 typedef struct {
   char file[INPUT_PATH_SIZE];
   double footprint; /* metres, cells on a map without */
@@ -33,12 +33,13 @@ typedef struct {
 /* With the position that `group` says that it states. */
 input_site mission_site_of(const mission_site *stated, int group);
 
-extern const key_set mission_keys;        /* into an `input` */
-extern const key_set mission_robot_keys;  /* into a mission_site */
-extern const key_set mission_place_keys;  /* likewise */
-extern const key_set mission_geo_keys;    /* into a mission_geo */
-extern const key_set mission_corner_keys; /* into a mission_site */
-extern const key_set mission_raster_keys; /* into a mission_raster */
-extern const key_set mission_class_keys;  /* into an input_class */
+extern const key_set mission_keys;         /* into an `input` */
+extern const key_set mission_robot_keys;   /* into a mission_site */
+extern const key_set mission_place_keys;   /* likewise */
+extern const key_set mission_geo_keys;     /* into a mission_geo */
+extern const key_set mission_corner_keys;  /* into a mission_site */
+extern const key_set mission_geojson_keys; /* into a mission_raster */
+extern const key_set mission_raster_keys;  /* into a mission_raster */
+extern const key_set mission_class_keys;   /* into an input_class */
 
 #endif

@@ -82,7 +82,8 @@ const char *polygon_check(polygon *p, char out[POLYGON_WRONG]) {
 typedef struct {
   uint8_t *mask;
   const qtr_mission *mission;
-  size_t count;
+  uint8_t value; /* that cells get */
+  size_t count;  /* of those that are set */
 } marking;
 
 /* The cells of a row, counted from below, from `from` to `to`; one that is merely touched is none. */
@@ -91,8 +92,8 @@ static void mark_row(marking *m, double up, double from, double to) {
   const size_t row = (size_t)(m->mission->rows - 1u - (unsigned)up) * m->mission->columns;
   for (double column = first; column <= last; column++) {
     uint8_t *it = &m->mask[row + (size_t)column];
-    m->count += *it == 0;
-    *it = 1;
+    m->count = m->count + m->value - *it;
+    *it = m->value;
   }
 }
 
@@ -129,9 +130,11 @@ static void mark_middles(marking *m, const polygon *p, double up) {
   for (int i = 0; i + 1 < count; i += 2) mark_row(m, up, ceil(met[i] - 0.5), floor(met[i + 1] + 0.5));
 }
 
-size_t polygon_mark(uint8_t *mask, const polygon *p, const qtr_mission *mission, bool middles) {
-  marking m = {mask, mission, 0};
+size_t polygon_mark(uint8_t *mask, const polygon *p, const qtr_mission *mission, enum polygon_cells which) {
+  marking m = {mask, mission, 1, 0};
   for (double up = 0.0; up < mission->rows; up++) mark_middles(&m, p, up);
-  for (int edge = 0; edge < p->corners && !middles; edge++) mark_edge(&m, p->corner[edge], end_of(p, edge));
+  m.value = which == POLYGON_CUTS;
+  for (int edge = 0; edge < p->corners && which != POLYGON_MIDDLES; edge++)
+    mark_edge(&m, p->corner[edge], end_of(p, edge));
   return m.count;
 }

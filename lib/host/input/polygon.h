@@ -19,8 +19,13 @@ bool polygon_add(polygon *p, frame_point corner);
 #define POLYGON_WRONG 200
 const char *polygon_check(polygon *p, char out[POLYGON_WRONG]);
 
-/* Set mask[cell] of the cells that the polygon cuts, however little, or whose middle it holds where `middles`; how many
- * they are. It must have passed polygon_check(). */
-size_t polygon_mark(uint8_t *mask, const polygon *p, const qtr_mission *mission, bool middles);
+enum polygon_cells {
+  POLYGON_CUTS,    /* a part of it, however little, is in it */
+  POLYGON_MIDDLES, /* its middle is */
+  POLYGON_HOLDS    /* its middle is, and no edge goes through it */
+};
+
+/* Set mask[cell] of the polygon's cells, all others being 0; how many they are. It must have passed polygon_check(). */
+size_t polygon_mark(uint8_t *mask, const polygon *p, const qtr_mission *mission, enum polygon_cells which);
 
 #endif

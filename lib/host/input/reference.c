@@ -20,7 +20,7 @@ static void write_values(FILE *out, const key_record *r) {
                                       [KEY_INTEGER] = "a whole number",
                                       [KEY_SWITCH] = "`true` or `false`",
                                       [KEY_LIST] = "a list",
-                                      [KEY_POLYGONS] = "a list of lists",
+                                      [KEY_POLYGONS] = "a list of lists, or a file",
                                       [KEY_MAPPING] = "keys of its own, below",
                                       [KEY_NAMED] = "names of your own, each with the keys below"};
   char range[KEYS_RANGE_SIZE];

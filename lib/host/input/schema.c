@@ -36,7 +36,8 @@ static void write_items(json *j, const key_record *r) {
 }
 
 static void write_polygons(json *j, const key_record *r) {
-  json_string(j, "type", "array");
+  static const char *const types[] = {"array", "string", NULL};
+  write_strings(j, "type", types);
   json_object(j, "items");
   json_string(j, "type", "array");
   json_integer(j, "minItems", 3);

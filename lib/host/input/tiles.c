@@ -184,3 +184,9 @@ int tiles_add(input *in, const tiles_settings *settings, fault *why) {
   free(w.tiles);
   return result;
 }
+
+int tiles_check(const input *in, double footprint, const value_site *site) {
+  if (footprint >= in->frame.cell_size * (1.0 - 1e-9)) return 0;
+  return value_fault(site, "the footprint of %g is less than a cell, %g%s; choose smaller cells, or name a cell's side",
+                     footprint, in->frame.cell_size, in->frame.metric ? " m" : "");
+}

@@ -3,6 +3,7 @@
 #define QUARTER_HOST_TILES_H
 
 #include "host/input/input.h"
+#include "host/input/value.h"
 
 typedef struct {
   const double *mass; /* of each cell */
@@ -18,5 +19,8 @@ typedef struct {
  * and no other place stands in if there are any, and with its mass as the weight. How much is covered becomes a note.
  * 0, or -1 with *fault set: there is no mass, none within reach, or more tiles than places are left. */
 int tiles_add(input *in, const tiles_settings *settings, fault *why);
+
+/* -1 with the fault set: a footprint of that side is less than a cell, and would leave cells half seen. */
+int tiles_check(const input *in, double footprint, const value_site *site);
 
 #endif

@@ -1,0 +1,183 @@
+#include "support/reader_scratch.h"
+
+#define FILE_OF(features)                                                                                              \
+  "{\"type\":\"FeatureCollection\",\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"local\"}},\n\"features\":"    \
+  "[" features "]}\n"
+#define DEGREES_OF(features) "{\"type\": \"FeatureCollection\", \"features\": [" features "]}\n"
+#define FEATURE(type, coordinates, properties)                                                                         \
+  "{\"type\":\"Feature\",\"geometry\":{\"type\":\"" type "\",\"coordinates\":" coordinates                             \
+  "},\"properties\":" properties "}"
+#define SQUARE "[[[0,0],[2,0],[2,2],[0,2],[0,0]]]"
+
+void setUp(void) {
+  scratch_open();
+  scratch_write("a.txt", "......\n......\n......\nS.....\n");
+  scratch_write("m.yaml", "map: a.txt\nplaces_geojson: {file: p.json, footprint: 2}\n");
+  scratch_write("m.pgm", "P2\n16 8\n1\n"
+                         "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 \n"
+                         "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 \n"
+                         "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 \n"
+                         "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 \n"
+                         "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 \n"
+                         "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 \n"
+                         "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 \n"
+                         "1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 \n");
+  scratch_write("m_ros.yaml", "image: m.pgm\nresolution: 100\norigin: [-450, -250, 0]\nnegate: 0\n"
+                              "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+}
+
+void tearDown(void) {
+  scratch_close();
+}
+
+static void write_globe(const char *rest) {
+  char text[400];
+  snprintf(text, sizeof text, "map: m_ros.yaml\nrobots: [{column: 0, row: 0}]\n%s", rest);
+  scratch_write("globe.yaml", text);
+}
+
+static void expect_place(int place, unsigned column, unsigned row, double weight) {
+  const qtr_mission *mission = &scratch_input.mission;
+  TEST_ASSERT_LESS_THAN_INT(mission->places, place);
+  TEST_ASSERT_EQUAL_INT(row * mission->columns + column, mission->place[place]);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-12, weight, mission->weight[place]);
+}
+
+static void test_points_are_places_with_weights_and_names(void) {
+  scratch_write(
+      "p.json",
+      FILE_OF(FEATURE("Point", "[0.5,1.5]", "{\"POA\":0.25,\"name\":\"Well\",\"depth\":\"3 cm\"}") "," FEATURE(
+          "Point", "[3.5,0.5,12]", "{\"likelihood\":7,\"name\":null}") "," FEATURE("Point", "[5.5,3.5]", "null")));
+  scratch_read("m.yaml");
+  TEST_ASSERT_EQUAL_INT(3, scratch_input.mission.places);
+  expect_place(0, 0, 2, 0.25);
+  expect_place(1, 3, 3, 7.0);
+  expect_place(2, 5, 0, 1.0);
+  TEST_ASSERT_EQUAL_STRING("Well", scratch_input.names.place[0]);
+  TEST_ASSERT_EQUAL_STRING("", scratch_input.names.place[1]);
+}
+
+/* Nine cells of 2 each, of which four, two, two and one fall into tiles; a hole leaves the middle out. */
+static void test_polygons_are_spread_over_tiles(void) {
+  scratch_write("p.json", FILE_OF(FEATURE("Polygon", "[[[0,0],[3,0],[3,3],[0,3],[0,0]]]", "{\"weight\":18}")));
+  scratch_read("m.yaml");
+  TEST_ASSERT_EQUAL_INT(4, scratch_input.mission.places);
+  TEST_ASSERT_EQUAL_DOUBLE(8.0, scratch_input.mission.weight[0]);
+  TEST_ASSERT_EQUAL_DOUBLE(4.0, scratch_input.mission.weight[1]);
+  expect_place(3, 2, 1, 2.0);
+  scratch_write("p.json", FILE_OF(FEATURE("MultiPolygon",
+                                          "[[[[0,0],[3,0],[3,3],[0,3],[0,0]],[[1,1],[2,1],[2,2],[1,2],[1,1]]],"
+                                          "[[[4,0],[5,0],[5,1],[4,1],[4,0]]]]",
+                                          "{\"weight\":18}")));
+  scratch_read("m.yaml");
+  TEST_ASSERT_EQUAL_INT(5, scratch_input.mission.places);
+  TEST_ASSERT_EQUAL_DOUBLE(6.0, scratch_input.mission.weight[0]);
+  expect_place(4, 4, 3, 2.0);
+}
+
+static void test_a_feature_or_geometry_alone_is_read(void) {
+  scratch_write("p.json",
+                "{\"type\":\"Point\",\"coordinates\":[1.5,0.5],\"crs\":{\"properties\":{\"name\":\"local\"}}}");
+  scratch_read("m.yaml");
+  expect_place(0, 1, 3, 1.0);
+}
+
+static void test_no_go_areas_of_a_file(void) {
+  scratch_write("m.yaml", "map: a.txt\nplaces: [{column: 5, row: 0}]\nno_go: n.json\n");
+  scratch_write("n.json", FILE_OF(FEATURE("Polygon", "[[[1.5,1],[3,1],[3,3],[1.5,3]]]", "{}")));
+  scratch_read("m.yaml");
+  scratch_expect_cells("111111|1##111|1##111|111111|");
+  scratch_write("n.json",
+                FILE_OF(FEATURE("Polygon", "[[[1,0],[5,0],[5,4],[1,4]],[[2,0.5],[4,0.5],[4,3],[2,3]]]", "{}")));
+  scratch_read("m.yaml");
+  scratch_expect_cells("1####1|1#11#1|1#11#1|1####1|");
+}
+
+/* ---- degrees ---- */
+
+#define GEO "geo: {latitude: 52.5163, longitude: 13.3777}\n"
+
+static void test_degrees_need_an_origin(void) {
+  write_globe("places_geojson: {file: p.json}\n");
+  scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.39243077,52.51629908]", "{}")));
+  scratch_refuse("globe.yaml", "p.json:1", "coordinates are degrees", "geo: {latitude");
+}
+
+#ifdef QUARTER_PROJ
+/* As geographiclib has it: 1000 m east of the origin, and 300 m west and 400 m north. */
+static void test_degrees_are_put_on_the_map(void) {
+  write_globe("places_geojson: {file: p.json}\n" GEO);
+  scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.392430769467,52.516299083298]", "{}") "," FEATURE(
+                              "Point", "[13.373280408431,52.519894545039]", "{\"weight\": 3}")));
+  scratch_read("globe.yaml");
+  expect_place(0, 14, 5, 1.0);
+  expect_place(1, 1, 1, 3.0);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-3, -300.0, scratch_input.place_position[1].x);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-3, 400.0, scratch_input.place_position[1].y);
+  write_globe(
+      "places_geojson: {file: p.json}\ngeo: {latitude: 52.5163, longitude: 13.3777, yaw: 1.5707963267948966}\n");
+  scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.373280408431,52.519894545039]", "{}")));
+  scratch_read("globe.yaml");
+  TEST_ASSERT_DOUBLE_WITHIN(1e-3, 400.0, scratch_input.place_position[0].x);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-3, 300.0, scratch_input.place_position[0].y);
+}
+
+static void test_exchanged_coordinates_are_suspected(void) {
+  write_globe("places_geojson: {file: p.json}\n" GEO);
+  scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[52.516299083298,13.392430769467]", "{}")));
+  scratch_refuse("globe.yaml", "p.json:1", "on it with latitude and longitude exchanged",
+                 "write [13.3924308, 52.5162991]");
+  scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.6,52.6]", "{}")));
+  scratch_refuse("globe.yaml", "p.json:1", "lies outside the map", "move");
+  scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.6,95]", "{}")));
+  scratch_refuse("globe.yaml", "p.json:1", "no point of the globe", "mend");
+}
+#endif
+
+/* ---- bad input ---- */
+
+static void refuse(const char *text, const char *where, const char *what, const char *mend) {
+  scratch_write("p.json", text);
+  scratch_refuse("m.yaml", where, what, mend);
+}
+
+static void test_features_that_are_no_places(void) {
+  refuse(FILE_OF(FEATURE("LineString", "[[0,0],[1,1]]", "{}")), "p.json:2", "feature 0 is a LineString", "Points");
+  refuse(FILE_OF(FEATURE("Point", "[1]", "{}")), "p.json:2", "no list of two numbers", "[longitude, latitude]");
+  refuse(FILE_OF(FEATURE("Point", "[1,NaN]", "{}")), "p.json:2", "'y' is \"NaN\"", "number");
+  refuse(FILE_OF(FEATURE("Point", "[9,1]", "{}")), "p.json:2", "lies outside the map", "move");
+  refuse(FILE_OF(FEATURE("Point", "[1,1]", "{\"weight\":-1}")), "p.json:2", "'weight' is -1", "likelihood");
+  refuse(FILE_OF("{\"type\":\"Feature\"}"), "p.json:2", "feature 0 has no geometry", "give it one");
+  refuse(FILE_OF("{\"geometry\":{\"type\":\"Point\"}}"), "p.json:2", "has no coordinates", "give it one");
+  refuse(FILE_OF(""), "m.yaml", "no place to visit", "places");
+  refuse("{\"a\": 1}", "p.json:1", "geo", "local");
+  refuse("{\"crs\":{\"properties\":{\"name\":\"local\"}}}", "p.json:1", "has no list of features", "GeoJSON");
+  refuse("{\"crs\":{\"properties\":{\"name\":\"EPSG:32633\"}}}", "p.json:1", "coordinates of EPSG:32633", "EPSG:4326");
+  refuse("{\"type\": \n", "p.json:2:1", "not valid", "mend");
+}
+
+static void test_polygons_that_are_none(void) {
+  refuse(FILE_OF(FEATURE("Polygon", "[[[0,0],[2,2],[2,0],[0,2],[0,0]]]", "{}")), "p.json:2",
+         "the polygon of feature 0 crosses itself", "in their order");
+  refuse(FILE_OF(FEATURE("Polygon", "[[[0,0],[2,2],[0,0]]]", "{}")), "p.json:2", "has 2 corners", "3 at least");
+  refuse(FILE_OF(FEATURE("Polygon", "[[[7,0],[9,0],[9,2]]]", "{}")), "p.json:2", "lies outside the map", "move");
+  refuse(FILE_OF(FEATURE("Polygon", "[]", "{}")), "p.json:2", "has no ring", "corners");
+  scratch_write("m.yaml", "map: a.txt\nplaces_geojson: {file: p.json}\n");
+  refuse(FILE_OF(FEATURE("Polygon", SQUARE, "{}")), "p.json:2", "has no footprint", "footprint: 5");
+}
+
+int main(void) {
+  UNITY_BEGIN();
+  RUN_TEST(test_points_are_places_with_weights_and_names);
+  RUN_TEST(test_polygons_are_spread_over_tiles);
+  RUN_TEST(test_a_feature_or_geometry_alone_is_read);
+  RUN_TEST(test_no_go_areas_of_a_file);
+  RUN_TEST(test_degrees_need_an_origin);
+#ifdef QUARTER_PROJ
+  RUN_TEST(test_degrees_are_put_on_the_map);
+  RUN_TEST(test_exchanged_coordinates_are_suspected);
+#endif
+  RUN_TEST(test_features_that_are_no_places);
+  RUN_TEST(test_polygons_that_are_none);
+  return UNITY_END();
+}
