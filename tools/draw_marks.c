@@ -190,7 +190,7 @@ static void write_label(draw_page *page, const draw_box *box, const char *number
 
 /* The number, if it is not inside, and the order. Where there is no room for both the order is left to the title. */
 static void draw_label(draw_page *page, int place, bool numbered) {
-  char number[QTR_SITE_NAME_BYTES] = "", order[16] = "";
+  char number[sizeof(naming_label)] = "", order[16] = "";
   const draw_point at = place_centre(page, place);
   const double nearest = place_radius(page, place) + 1;
   draw_box box;

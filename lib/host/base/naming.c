@@ -16,8 +16,18 @@ static naming_label label_of(const char *name, unsigned number) {
   return label;
 }
 
+static unsigned looked_at(const naming *n, unsigned place) {
+  return n->look_of == NULL ? place : n->look_of[2 * place] | (unsigned)n->look_of[2 * place + 1] << 8;
+}
+
 naming_label naming_place(const naming *n, unsigned place) {
-  return label_of(n->names->place[place], n->number[place]);
+  const unsigned of = looked_at(n, place);
+  naming_label label = label_of(n->names->place[of], n->number[of]);
+  unsigned look = 1;
+  for (unsigned before = 0; before < place; before++) look += looked_at(n, before) == of;
+  const size_t length = strlen(label.text);
+  if (of != place) snprintf(label.text + length, sizeof label.text - length, " (look %u)", look);
+  return label;
 }
 
 naming_label naming_seeker(const naming *n, unsigned seeker) {

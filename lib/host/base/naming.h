@@ -14,13 +14,14 @@ typedef struct {
   const qtr_names *names;
   const uint16_t *number; /* of each place, in the input, where places may have been left out; ascending */
   int places, seekers;
+  const uint8_t *look_of; /* u16 for each place: the one that it is a look at; NULL: none is another look */
 } naming;
 
 typedef struct {
-  char text[QTR_SITE_NAME_BYTES];
+  char text[QTR_SITE_NAME_BYTES + 16];
 } naming_label;
 
-/* "Bay 3", or "5" where it has no name. */
+/* "Bay 3", or "5" where it has no name; "Bay 3 (look 2)" for a later look at it. */
 naming_label naming_place(const naming *n, unsigned place);
 naming_label naming_seeker(const naming *n, unsigned seeker);
 

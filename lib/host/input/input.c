@@ -52,7 +52,7 @@ bool input_goes_on(input *in, int status, fault *why) {
 }
 
 naming input_naming(const input *in) {
-  return (naming){&in->names, in->place_number, in->mission.places, in->mission.seekers};
+  return (naming){&in->names, in->place_number, in->mission.places, in->mission.seekers, NULL};
 }
 
 static void name_site(const input *in, const char *what, const char *label, input_origin origin, char *out,

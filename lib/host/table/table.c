@@ -26,7 +26,7 @@ static int read_rest(table *t) {
   const uint32_t behind = (uint32_t)t->bytes.size - t->policy.size;
   qtr_claim_read(&t->claim, &t->policy);
   for (unsigned place = 0; place < t->policy.board.places; place++)
-    t->number[place] = (uint16_t)qtr_claim_number(&t->claim, &t->policy, place);
+    t->number[place] = (uint16_t)qtr_claim_number(&t->claim, &t->policy, qtr_policy_place(&t->policy, place));
   const int status = qtr_names_read(&t->names, &t->geo, t->bytes.data + t->policy.size, behind);
   fault_clean(t->names.mission); /* names from anywhere end up in terminals and in lines of other tools' files */
   for (int i = 0; i < QTR_MAX_PLACES; i++) fault_clean(t->names.place[i]);
@@ -64,7 +64,8 @@ int table_add_names(file_bytes *bytes, const qtr_names *names, const qtr_geo *ge
 }
 
 naming table_naming(const table *t) {
-  return (naming){&t->names, t->number, t->policy.board.places, t->policy.board.seekers};
+  return (naming){&t->names, t->number, t->policy.board.places, t->policy.board.seekers,
+                  t->policy.board.terms.look_of};
 }
 
 static table_name name_of(const char *name, const char *what, unsigned number) {
@@ -77,7 +78,8 @@ static table_name name_of(const char *name, const char *what, unsigned number) {
 }
 
 table_name table_place_name(const table *t, unsigned place) {
-  return name_of(t->names.place[place], "place", t->number[place]);
+  const unsigned at = qtr_policy_place(&t->policy, place);
+  return name_of(t->names.place[at], "place", t->number[at]);
 }
 
 table_name table_robot_name(const table *t, int robot) {
