@@ -6,7 +6,7 @@
 
 static qtr_names names;
 static const uint16_t number[] = {0, 2, 3, 7};
-static const naming called = {&names, number, 4, 2};
+static const naming called = {&names, number, 4, 2, NULL};
 static char wrong[FAULT_LINE];
 
 void setUp(void) {

@@ -64,8 +64,7 @@ int table_add_names(file_bytes *bytes, const qtr_names *names, const qtr_geo *ge
 }
 
 naming table_naming(const table *t) {
-  return (naming){&t->names, t->number, t->policy.board.places, t->policy.board.seekers,
-                  t->policy.board.terms.look_of};
+  return (naming){&t->names, t->number, t->policy.board.places, t->policy.board.seekers, t->policy.board.terms.look_of};
 }
 
 static table_name name_of(const char *name, const char *what, unsigned number) {
