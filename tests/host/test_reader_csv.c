@@ -97,7 +97,7 @@ static void test_headers(void) {
   refuse("x,row,weight\n", "p.csv:1", "the header has 'x' and lacks 'y'", "add that column");
   refuse("x,y,column,row\n", "p.csv:1", "both metres and cells", "keep x and y, or column and row");
   refuse("name,weight\n", "p.csv:1", "the header has no position", "x and y, or column and row");
-  refuse("lat,lon,weight\n", "p.csv:1", "latitudes and longitudes are not read", "metres");
+  refuse("lat,lon,weight\n", "p.csv:1", "latitudes and longitudes are not read here", "places_geojson");
   refuse("# only a comment\n", "p.csv", "holds no header", "x,y,weight");
   refuse("x,y,weight\n", "m.yaml", "no place", "places");
   refuse("", "p.csv", "is empty", "m.yaml:2)");

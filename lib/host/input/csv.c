@@ -99,7 +99,8 @@ static int no_position(const reading *r) {
   bool any = false;
   for (int i = 0; i < r->columns; i++) any = any || r->column[i].record.name != NULL;
   if (is_geographic(r))
-    return header_fault(r, "latitudes and longitudes are not read; give metres in the map frame, under \"x,y,weight\"");
+    return header_fault(r, "latitudes and longitudes are not read here; give metres in the map frame, under "
+                           "\"x,y,weight\", or a GeoJSON (places_geojson)");
   if (check_slips(r, near_word) != 0) return -1;
   if (any) return header_fault(r, "the header has no position; give it the columns x and y, or column and row");
   return header_fault(
