@@ -115,9 +115,9 @@ static int too_many(const work *w, size_t tiles, size_t left) {
     snprintf(fits, sizeof fits, "\"share: %g\" fits; lower it, ", fitting_share(w, left));
   return file_fault(
       w->why, s->path, s->line, 0,
-      "a share of %g takes %s, and this build holds %d in all, %zu more than are stated: %schoose a larger "
-      "footprint, or build with a larger QTR_MAX_PLACES",
-      s->share, counted(tiles, "place").text, QTR_MAX_PLACES, left, fits);
+      "a share of %g takes %s, and %zu are left of the %d that this build holds: %schoose a larger footprint, or build "
+      "with a larger QTR_MAX_PLACES",
+      s->share, counted(tiles, "place").text, left, QTR_MAX_PLACES, fits);
 }
 
 static int take_share(work *w) {
@@ -187,6 +187,6 @@ int tiles_add(input *in, const tiles_settings *settings, fault *why) {
 
 int tiles_check(const input *in, double footprint, const value_site *site) {
   if (footprint >= in->frame.cell_size * (1.0 - 1e-9)) return 0;
-  return value_fault(site, "the footprint of %g is less than a cell, %g%s; choose smaller cells, or name a cell's side",
+  return value_fault(site, "the footprint of %g is less than a cell, %g%s; choose smaller cells, or give a cell's side",
                      footprint, in->frame.cell_size, in->frame.metric ? " m" : "");
 }
