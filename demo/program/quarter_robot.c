@@ -14,6 +14,7 @@
 #include "host/table/table_check.h"
 #include "patience.h"
 #include "printing.h"
+#include "quarter/names.h"
 #include "quarter/status.h"
 #include "wiring.h"
 
@@ -191,10 +192,14 @@ static int run(bus *b, const words *w) {
 
 /* ---- the table ---- */
 
-/* As a host does, for a table may come from anywhere. */
+/* As a host does, for a table may come from anywhere: what stands behind the robot's part must be whole, too. */
 static int open_table(const void *bytes, uint32_t size) {
-  const int status = qtr_policy_open(&policy, bytes, size);
-  return status == QTR_OK ? qtr_policy_check(&policy) : status;
+  static qtr_names names;
+  qtr_geo geo;
+  int status = qtr_policy_open(&policy, bytes, size);
+  if (status == QTR_OK) status = qtr_policy_check(&policy);
+  if (status != QTR_OK) return status;
+  return qtr_names_read(&names, &geo, (const uint8_t *)bytes + policy.size, size - policy.size);
 }
 
 /* The bus, sealed if there is a key; nothing that was read will be written over. 0, or the exit status, with one line
