@@ -38,6 +38,28 @@ static uint32_t digest_of_game(const qtr_policy *policy) {
 }
 
 #if QTR_READ_FORMAT_1
+/* Play on until the seeker chooses, or is known to have nothing left: then, and not at a later choice of another's, is
+ * its end. */
+static uint16_t play_route(const qtr_policy *policy, qtr_joint *joint, int seeker, qtr_steps *now) {
+  while (joint->node[seeker] != QTR_STAND_DOWN) {
+    const int chooser = qtr_joint_chooser(joint, &policy->board);
+    if (chooser == QTR_NOBODY) {
+      const qtr_steps passed = qtr_joint_advance(joint, &policy->board, NULL);
+      if (passed == 0u) {
+        break;
+      }
+      *now += passed;
+      continue;
+    }
+    const uint16_t choice = qtr_policy_choose(policy, joint, chooser, NULL);
+    (void)qtr_joint_choose(joint, &policy->board, chooser, choice);
+    if (chooser == seeker) {
+      return choice;
+    }
+  }
+  return QTR_STAND_DOWN;
+}
+
 /* As format 1 has it: seeker by seeker, and at the end of each the step at which it is known to be the end. */
 static uint32_t digest_of_routes(const qtr_policy *policy) {
   uint32_t digest = 0;
@@ -47,7 +69,7 @@ static uint32_t digest_of_routes(const qtr_policy *policy) {
     uint16_t choice = 0;
     qtr_joint_start(&joint, &policy->board, NULL, NULL);
     while (choice != QTR_STAND_DOWN) {
-      choice = qtr_policy_play(policy, &joint, seeker, &now, NULL);
+      choice = play_route(policy, &joint, seeker, &now);
       digest = add(digest, seeker, choice, now);
     }
   }
