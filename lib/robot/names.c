@@ -111,7 +111,8 @@ void qtr_names_write(uint8_t *bytes, const qtr_names *names, const qtr_geo *geo)
 
 /* Sizes must agree to the byte: behind the names nothing more is kept. */
 static bool is_whole(const uint8_t *bytes, uint32_t size) {
-  return (size >= HEAD) && bytes_begin(bytes, "QTRH") && (qtr_load32(bytes + SIZE_AT) == size) &&
+  return (size >= HEAD) && bytes_begin(bytes, "QTRH") && (qtr_load32(bytes + MAGIC) == (uint32_t)VERSION) &&
+         (qtr_load32(bytes + SIZE_AT) == size) &&
          (qtr_load32(bytes + CRC_AT) == qtr_crc32_add(0, bytes + HEAD, size - HEAD));
 }
 

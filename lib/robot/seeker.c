@@ -175,19 +175,24 @@ static void settle(qtr_seeker *seeker) {
 
 /* ---- what a robot is told ---- */
 
+/* Looks at one place lie in one cell. By that and by nothing else are they told: whatever a table says of them, nobody
+ * has looked where it has not been. */
+static bool is_same_place(const qtr_seeker *seeker, unsigned look, unsigned place) {
+  return qtr_policy_cell(seeker->policy, look) == qtr_policy_cell(seeker->policy, place);
+}
+
 /* Which of several looks at a place was made: the one that the robot was sent for, or the first that it has not made
  * itself. */
 static unsigned look_made(const qtr_seeker *seeker, unsigned place) {
-  const qtr_policy *policy = seeker->policy;
-  if (!QTR_TERMS || (policy->board.terms.look_of == NULL)) {
+  const qtr_board *board = &seeker->policy->board;
+  if (!QTR_TERMS || (board->terms.look_of == NULL)) {
     return place;
   }
-  const unsigned of = qtr_policy_place(policy, place);
-  if (seeker->settled && (seeker->target != QTR_STAND_DOWN) && (qtr_policy_place(policy, seeker->target) == of)) {
+  if (seeker->settled && (seeker->target != QTR_STAND_DOWN) && is_same_place(seeker, seeker->target, place)) {
     return seeker->target;
   }
-  for (unsigned look = 0; look < policy->board.places; look++) {
-    if ((qtr_policy_place(policy, look) == of) && !place_is_in(&seeker->visited, look)) {
+  for (unsigned look = 0; look < board->places; look++) {
+    if (is_same_place(seeker, look, place) && !place_is_in(&seeker->visited, look)) {
       return look;
     }
   }
@@ -195,8 +200,11 @@ static unsigned look_made(const qtr_seeker *seeker, unsigned place) {
 }
 
 void qtr_seeker_visited(qtr_seeker *seeker, unsigned at) {
+  if (at >= seeker->policy->board.places) {
+    return;
+  }
   const unsigned place = look_made(seeker, at);
-  if ((place >= seeker->policy->board.places) || place_is_in(&seeker->visited, place)) {
+  if (place_is_in(&seeker->visited, place)) {
     return;
   }
   place_put(&seeker->visited, place);
@@ -208,9 +216,11 @@ void qtr_seeker_visited(qtr_seeker *seeker, unsigned at) {
 
 /* All looks at it. Not taken back on a later visit: is_to_try() asks for visits first. */
 void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
-  const qtr_policy *policy = seeker->policy;
-  for (unsigned look = 0; look < policy->board.places; look++) {
-    if ((qtr_policy_place(policy, look) != qtr_policy_place(policy, place)) || place_is_in(&seeker->visited, look)) {
+  if (place >= seeker->policy->board.places) {
+    return;
+  }
+  for (unsigned look = 0; look < seeker->policy->board.places; look++) {
+    if (!is_same_place(seeker, look, place) || place_is_in(&seeker->visited, look)) {
       continue;
     }
     place_put(&seeker->blocked, look);

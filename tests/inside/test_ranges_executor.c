@@ -182,6 +182,26 @@ static void test_names_of_any_bytes(void) {
   }
 }
 
+/* Cut anywhere, or with any one bit flipped: the sum, the size, the magic or the version tells. */
+static void test_names_that_are_torn_are_refused(void) {
+  static qtr_names names, read;
+  for (unsigned number = 0; number < 20; number++) {
+    test_random random = random_case("torn names", number);
+    uint8_t bytes[QTR_NAME_BYTES + 80 + 6 * (QTR_SITE_NAME_BYTES + 8)];
+    qtr_geo geo = any_origin(&random), read_geo;
+    any_names(&random, &names, false);
+    const uint32_t size = qtr_names_size(&names, &geo);
+    qtr_names_write(bytes, &names, &geo);
+    for (uint32_t cut = 1; cut < size; cut++)
+      TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_ERR_CORRUPT, qtr_names_read(&read, &read_geo, bytes, cut), case_note);
+    for (uint32_t bit = 0; bit < 8 * size; bit++) {
+      bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+      TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_ERR_CORRUPT, qtr_names_read(&read, &read_geo, bytes, size), case_note);
+      bytes[bit / 8] ^= (uint8_t)(1u << bit % 8);
+    }
+  }
+}
+
 /* The entry of a place or a seeker that this build cannot hold, of no name, or of one too long, is damage. */
 static void test_names_of_nobody_are_damage(void) {
   static const struct {
@@ -253,6 +273,7 @@ int main(void) {
   RUN_TEST(test_signal_of_any_bytes);
   RUN_TEST(test_division_of_any_deployment_ends);
   RUN_TEST(test_names_of_any_bytes);
+  RUN_TEST(test_names_that_are_torn_are_refused);
   RUN_TEST(test_names_of_nobody_are_damage);
   RUN_TEST(test_origins_off_the_globe_are_damage);
   RUN_TEST(test_tables_say_what_they_are_of);

@@ -158,6 +158,29 @@ static void test_table_cut_short_or_flipped_is_refused(void) {
   }
 }
 
+/* A robot that is told of looks in passing, too: what it announces it has looked at as often in those cells. */
+static void search_forged(test_random *random) {
+  qtr_seeker seeker;
+  qtr_signal signal;
+  unsigned made[TERMS_MOST_LOOKS] = {0}, owed[TERMS_MOST_LOOKS] = {0};
+  qtr_seeker_init(&seeker, &policy, 0, NULL, 0);
+  for (unsigned turns = 0; qtr_seeker_target(&seeker) != QTR_STAND_DOWN; turns++) {
+    TEST_ASSERT_LESS_THAN_MESSAGE(200, turns, case_note);
+    const unsigned at =
+        random_chance(random, 40) ? random_below(random, policy.board.places) : qtr_seeker_target(&seeker);
+    for (unsigned p = 0; p < policy.board.places; p++)
+      made[p] += qtr_policy_cell(&policy, p) == qtr_policy_cell(&policy, at);
+    qtr_seeker_visited(&seeker, at);
+    while (qtr_seeker_announce(&seeker, &signal))
+      for (unsigned i = 0; i < seeker.division.moves; i++)
+        for (unsigned p = 0; p < policy.board.places; p++)
+          owed[p] += seeker.division.seeker[i] == signal.territory &&
+                     qtr_policy_cell(&policy, p) == qtr_policy_cell(&policy, seeker.division.place[i]);
+    for (unsigned p = 0; p < policy.board.places; p++)
+      TEST_ASSERT_LESS_OR_EQUAL_UINT_MESSAGE(made[p], owed[p], case_note);
+  }
+}
+
 /* Sums are easily redone: what opens then still leads nowhere outside, and its game and its robots end. */
 static void test_forged_terms_are_refused_or_played_to_an_end(void) {
   for (unsigned number = 0; number < 40 * (TERMS_FEATURES + 1); number++) {
@@ -178,13 +201,29 @@ static void test_forged_terms_are_refused_or_played_to_an_end(void) {
     }
     if (qtr_policy_open(&policy, torn, (uint32_t)size) != QTR_OK) continue;
     qtr_policy_check(&policy);
-    qtr_seeker seeker;
-    qtr_seeker_init(&seeker, &policy, 0, NULL, 0);
-    for (unsigned turns = 0; qtr_seeker_target(&seeker) != QTR_STAND_DOWN; turns++) {
-      TEST_ASSERT_LESS_THAN_MESSAGE(200, turns, case_note);
-      qtr_seeker_visited(&seeker, qtr_seeker_target(&seeker));
-    }
+    search_forged(&random);
   }
+}
+
+/* A later look that is said to be at another place than its cell is: a robot opens it, and tells looks by cells. */
+static void test_look_forged_to_be_at_another_place_is_made_in_its_cell(void) {
+  unsigned played = 0;
+  for (unsigned seed = 1; seed <= 200; seed++) {
+    make_table(seed, TERMS_LOOKS);
+    test_random random = random_case("forged looks", seed);
+    if (policy.board.terms.look_of == NULL || mission.places < 2) continue;
+    uint8_t *look = bytes + (policy.board.terms.look_of - bytes) + 2 * mission.places;
+    qtr_store16(look, (qtr_load16(look) + 1) % mission.places);
+    table_seal(bytes, (uint32_t)size);
+    qtr_store32(bytes + QTR_POLICY_DIGEST, qtr_policy_open(&policy, bytes, (uint32_t)size) == QTR_ERR_SELFTEST
+                                               ? qtr_policy_digest(&policy)
+                                               : qtr_load32(bytes + QTR_POLICY_DIGEST));
+    table_seal(bytes, (uint32_t)size);
+    if (qtr_policy_open(&policy, bytes, (uint32_t)size) != QTR_OK) continue;
+    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_ERR_TRAVEL, qtr_policy_check(&policy), case_note);
+    for (unsigned tries = 0; tries < 10; tries++, played++) search_forged(&random);
+  }
+  TEST_ASSERT_GREATER_THAN(100, played);
 }
 
 int main(void) {
@@ -195,5 +234,6 @@ int main(void) {
   RUN_TEST(test_nothing_is_announced_that_was_not_looked_at_often_enough);
   RUN_TEST(test_table_cut_short_or_flipped_is_refused);
   RUN_TEST(test_forged_terms_are_refused_or_played_to_an_end);
+  RUN_TEST(test_look_forged_to_be_at_another_place_is_made_in_its_cell);
   return UNITY_END();
 }
