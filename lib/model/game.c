@@ -60,6 +60,23 @@ static bool comes_home(const qtr_game *game) {
   return game->board.terms.end != NULL || game->objective.terms.home_weight > 0.0;
 }
 
+/* The ways home, a search a seeker. False: stopped. */
+static bool measure_home(qtr_game *game, const qtr_matrix_nodes *nodes, qtr_travel *travel) {
+#if QTR_TERMS
+  const qtr_mission *mission = game->mission;
+  for (unsigned i = 0; comes_home(game) && i < mission->seekers; i++) {
+    if (!qtr_watch_go_on(&mission->watch)) return false;
+    qtr_matrix_fill_home(game->home + 4 * (size_t)i * game->board.places, nodes, mission->class_of[i],
+                         mission->start[i], travel);
+  }
+#else
+  (void)game;
+  (void)nodes;
+  (void)travel;
+#endif
+  return true;
+}
+
 /* The elemental tasks (section 4.1): the composite task, which is what is learnt, sees of the map these times alone.
  * False: stopped. */
 static bool measure_travel(qtr_game *game, qtr_travel *travel) {
@@ -68,12 +85,7 @@ static bool measure_travel(qtr_game *game, qtr_travel *travel) {
   const qtr_matrix_nodes nodes = nodes_of(game, start);
   game->used = (qtr_box){0, 0, 0, 0};
   game->measured = qtr_matrix_fill(game->steps, &nodes, travel, &game->used);
-#if QTR_TERMS
-  for (unsigned i = 0; comes_home(game) && i < game->board.seekers; i++)
-    qtr_matrix_fill_home(game->home + 4 * (size_t)i * game->board.places, &nodes, game->mission->class_of[i],
-                         game->mission->start[i], travel);
-#endif
-  return game->measured == game->mission->places;
+  return game->measured == game->mission->places && measure_home(game, &nodes, travel);
 }
 
 /* Once more, over what was rounded: for the assertion alone. */
@@ -96,13 +108,17 @@ static unsigned looks_before(const qtr_game *game, unsigned look) {
   return before;
 }
 
+static double sum_of_weights(const qtr_mission *mission) {
+  double sum = 0.0;
+  for (unsigned place = 0; place < mission->places; place++) sum += mission->weight[place];
+  return sum;
+}
+
 /* P = weight / sum of weights: what was told in any unit is a distribution (section 4.1). Of the looks' shares the sum
  * is W, what can be found at all. Returns it. */
 static double set_probabilities(qtr_game *game) {
   const qtr_mission *mission = game->mission;
-  double all = 0.0;
   double sum = 0.0;
-  for (unsigned place = 0; place < mission->places; place++) all += mission->weight[place];
   for (unsigned place = 0; place < game->board.places; place++) {
     const unsigned before = place < mission->places ? 0 : looks_before(game, place);
     game->probability[place] = find_by_look(mission, qtr_game_place(game, place), before);
@@ -111,7 +127,7 @@ static double set_probabilities(qtr_game *game) {
   for (unsigned place = 0; place < game->board.places; place++) game->probability[place] /= sum;
   /* P is a distribution (section 4.1): what is unvisited begins at 1 and ends at 0. */
   QTR_ASSERT(fabs(sum_of_probabilities(game) - 1.0) < ROUNDING);
-  return sum / all;
+  return sum / sum_of_weights(mission);
 }
 
 /* ---- the field's terms ---- */
@@ -138,12 +154,6 @@ static qtr_steps set_ends(qtr_game *game) {
   }
 #endif
   return latest;
-}
-
-static double sum_of_weights(const qtr_mission *mission) {
-  double sum = 0.0;
-  for (unsigned place = 0; place < mission->places; place++) sum += mission->weight[place];
-  return sum;
 }
 
 /* What the board and the objective make of the mission's terms, before there are any travel times. */
