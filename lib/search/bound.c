@@ -165,13 +165,14 @@ static double collect_on(const qtr_bound *bound, const qtr_situation *after, uns
   const unsigned node = qtr_environment_exit(bound->environment, after, seeker);
   const qtr_steps when = after->joint.now + after->joint.remaining[seeker];
   const qtr_steps *travel = qtr_gains_travel(&bound->gains, kind, node);
+  const qtr_gains_view view = qtr_gains_of(&bound->gains, kind);
   const unsigned here = node < places_of(bound) ? qtr_targets_of(&bound->environment->targets, node) : QTR_STAND_DOWN;
   double best = qtr_gains_go_home(&bound->gains, kind, node, when);
   for (unsigned target = 0; target < targets_of(bound); target++) {
     if (!is_free(after, target)) continue;
     const uint16_t first = qtr_targets_first(&bound->environment->targets, node, target);
     if (first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
-    const double gain = qtr_gains_at(&bound->gains, kind, here, first, when + travel[first]);
+    const double gain = qtr_gains_at(&view, here, first, when + travel[first]);
     if (gain > best) best = gain;
   }
   return best;

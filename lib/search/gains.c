@@ -34,12 +34,9 @@ static unsigned seeker_of(const qtr_gains *gains, unsigned kind) {
   return gains->first_of[kind];
 }
 
-/* Whether a seeker of a kind is home in time that ends a tour at `exit` at step `when`. */
-bool qtr_gains_in_time(const qtr_gains *gains, unsigned kind, unsigned exit, qtr_steps when) {
-  const qtr_board *board = &gains->game->board;
-  if (board->terms.end == NULL) return true;
+bool qtr_gains_before_end(const qtr_gains *gains, unsigned kind, unsigned exit, qtr_steps when) {
   const unsigned seeker = seeker_of(gains, kind);
-  return (uint64_t)when + qtr_game_way_home(gains->game, seeker, exit) <= qtr_board_end(board, seeker);
+  return (uint64_t)when + qtr_game_way_home(gains->game, seeker, exit) <= qtr_board_end(&gains->game->board, seeker);
 }
 
 /* What going home from a node costs a seeker of a kind that is free there at step `when`. */
@@ -170,20 +167,6 @@ void qtr_gains_init(qtr_gains *gains, void *block, const qtr_environment *enviro
 
 /* ---- the walks of one seeker ---- */
 
-/* What a walk from target `from` collects that begins the tour at `place` in `slot`: it may not go straight back. Walks
- * may repeat targets, which real ones cannot, and the worst of that is to and fro between two: with the best way on and
- * the best one to another target kept, C is known for every `from` at no more work than for none. */
-static double gain_in(const qtr_gains *gains, unsigned kind, unsigned from, unsigned place, uint32_t slot) {
-  if (slot >= gains->slots) return gains->late[(size_t)kind * places_of(gains) + place];
-  const qtr_gain *gain = &gains_in(gains, kind, slot)[place];
-  return gain->to == from ? gain->second : gain->best;
-}
-
-/* A slot is known by its first step, when its walks can collect most: worth never rises with time. */
-double qtr_gains_at(const qtr_gains *gains, unsigned kind, unsigned from, unsigned place, qtr_steps when) {
-  return gain_in(gains, kind, from, place, gains->slot_steps == 1 ? when : when / gains->slot_steps);
-}
-
 /* What the tour begun at `place` is worth, net of its price: sum of worth(p_i, t + s_i) - lambda, s_i the step of its
  * visit i. */
 static double net_worth(const qtr_gains *gains, const double *price, unsigned place, qtr_steps when) {
@@ -227,9 +210,11 @@ static void fill_late(qtr_gains *gains, const double *price) {
  * start. A tour that leaves no time to go home is none. */
 static void fill_gain(qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, double net) {
   const qtr_tour *tour = tour_at(gains, place);
+  const qtr_gains_view view = qtr_gains_of(gains, kind);
   const unsigned targets = targets_of(gains);
   const uint16_t exit = qtr_tour_exit(tour);
   const uint32_t *apart = apart_from(gains, kind, place);
+  const uint16_t *first = &gains->environment->targets.first[(size_t)exit * targets];
   const uint16_t here = tour->target;
   const qtr_steps when = slot * gains->slot_steps;
   qtr_gain *gain = &gains_in(gains, kind, slot)[place];
@@ -245,7 +230,7 @@ static void fill_gain(qtr_gains *gains, unsigned kind, uint32_t slot, unsigned p
     if (apart[target] == QTR_NEVER) continue;
     /* Walks move on in time: C(t, p) needs later slots alone, and those have been filled. */
     QTR_ASSERT(apart[target] > 0);
-    const double on = gain_in(gains, kind, here, first_of(gains, exit, target), slot + apart[target]);
+    const double on = qtr_gains_in_slot(&view, here, first[target], slot + apart[target]);
     if (on <= second) continue;
     if (on > best) {
       second = best;
@@ -282,12 +267,13 @@ static uint16_t first_of_walk(const qtr_gains *gains, unsigned seeker, unsigned 
   const unsigned kind = gains->kind_of[seeker];
   const qtr_steps *travel = qtr_gains_travel(gains, kind, start_node);
   const qtr_steps ready = qtr_board_ready(&gains->game->board, seeker);
+  const qtr_gains_view view = qtr_gains_of(gains, kind);
   uint16_t best = QTR_STAND_DOWN;
   *collected = qtr_gains_go_home(gains, kind, start_node, ready);
   for (unsigned target = 0; target < targets_of(gains); target++) {
     const uint16_t first = first_of(gains, start_node, target);
     if (first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
-    const double gain = qtr_gains_at(gains, kind, QTR_STAND_DOWN, first, ready + travel[first]);
+    const double gain = qtr_gains_at(&view, QTR_STAND_DOWN, first, ready + travel[first]);
     if (gain <= *collected) continue;
     *collected = gain;
     best = (uint16_t)target;

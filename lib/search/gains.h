@@ -58,9 +58,6 @@ void qtr_gains_cut(qtr_gains *gains, qtr_steps last_visit);
  * prices. */
 bool qtr_gains_fill(qtr_gains *gains, const double *price);
 
-/* What a walk from target `from` (QTR_STAND_DOWN: none) collects that begins the tour at `place` at step `when`. */
-double qtr_gains_at(const qtr_gains *gains, unsigned kind, unsigned from, unsigned place, qtr_steps when);
-
 /* What a seeker's best walk from its start collects; adds up in `visits` how often it comes to each target. */
 double qtr_gains_walk(const qtr_gains *gains, unsigned seeker, int *visits);
 
@@ -68,8 +65,47 @@ double qtr_gains_walk(const qtr_gains *gains, unsigned seeker, int *visits);
  * less. */
 double qtr_gains_go_home(const qtr_gains *gains, unsigned kind, unsigned node, qtr_steps when);
 
+/* Of games with an end: whether a seeker of a kind is home by its own that ends a tour at `exit` at step `when`. */
+bool qtr_gains_before_end(const qtr_gains *gains, unsigned kind, unsigned exit, qtr_steps when);
+
+/* ---- the innermost of the learner's loops ---- */
+
 /* Whether a seeker of a kind is home in time that ends a tour at `exit` at step `when`. */
-bool qtr_gains_in_time(const qtr_gains *gains, unsigned kind, unsigned exit, qtr_steps when);
+static inline bool qtr_gains_in_time(const qtr_gains *gains, unsigned kind, unsigned exit, qtr_steps when) {
+  return gains->game->board.terms.end == NULL || qtr_gains_before_end(gains, kind, exit, when);
+}
+
+/* The gains of one kind, found once for many questions. */
+typedef struct {
+  const qtr_gain *gain; /* a row of places a slot */
+  const double *late;   /* of each place */
+  size_t places;
+  uint32_t slots;
+  qtr_steps slot_steps;
+} qtr_gains_view;
+
+static inline qtr_gains_view qtr_gains_of(const qtr_gains *gains, unsigned kind) {
+  const size_t places = gains->game->board.places;
+  const qtr_gains_view view = {gains->gain + (size_t)kind * gains->slots * places, gains->late + kind * places, places,
+                               gains->slots, gains->slot_steps};
+  return view;
+}
+
+/* What a walk from target `from` (QTR_STAND_DOWN: none) collects that begins the tour at `place` in `slot`: it may not
+ * go straight back. Walks may repeat targets, which real ones cannot, and the worst of that is to and fro between two:
+ * with the best way on and the best one to another target kept, C is known for every `from` at no more work than for
+ * none. */
+static inline double qtr_gains_in_slot(const qtr_gains_view *view, unsigned from, unsigned place, uint32_t slot) {
+  if (slot >= view->slots) return view->late[place];
+  const qtr_gain *gain = &view->gain[(size_t)slot * view->places + place];
+  return gain->to == from ? gain->second : gain->best;
+}
+
+/* The same at step `when`. A slot is known by its first step, when its walks can collect most: worth never rises with
+ * time. */
+static inline double qtr_gains_at(const qtr_gains_view *view, unsigned from, unsigned place, qtr_steps when) {
+  return qtr_gains_in_slot(view, from, place, view->slot_steps == 1 ? when : when / view->slot_steps);
+}
 
 /* Steps from a node to each place, for a kind. */
 static inline qtr_steps *qtr_gains_travel(const qtr_gains *gains, unsigned kind, unsigned node) {
