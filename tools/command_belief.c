@@ -1,4 +1,5 @@
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -22,9 +23,12 @@ static const char intro[] =
     "quarter belief mission.yaml --history new.csv --belief b.qtb       the same, kept from one time to the next\n"
     "quarter belief mission.yaml --belief b.qtb                         what a saved belief estimates\n"
     "\n"
-    "games.csv has a header and a row for each place where a target was found: 'place' (its number, as this command\n"
-    "lists them), 'column,row' or 'x,y'. A column 'found' with 0 tells of a place that was searched in vain, a column\n"
-    "'game' which rows are one game; without it every row is one.\n"
+    "games.csv has a header and a row for each place where a target was found: 'place' (its name or number, as this\n"
+    "command lists them), 'column,row' or 'x,y'. A column 'found' with 0 tells of a place that was searched in vain, "
+    "a\n"
+    "column 'looks' how often, a column 'game' which rows are one game; without it every row is one. A look that "
+    "found\n"
+    "nothing leaves 1 - q of a place's likelihood, where q is the place's 'detection' in the mission.\n"
     "\n";
 
 static const option_line lines[] = {
@@ -141,6 +145,18 @@ static int learn(estimation *s, fault *why) {
 
 /* ---- writing ---- */
 
+/* How often a look at a place sees what is there. */
+static double detection_of(const estimation *s, unsigned place) {
+  return s->o->detection == HISTORY_OF_PLACES ? s->in.mission.detection[place] : s->o->detection;
+}
+
+/* Of all places, or NAN where they differ. */
+static double common_detection(const estimation *s) {
+  for (unsigned place = 1; place < s->belief.places; place++)
+    if (detection_of(s, place) != detection_of(s, 0)) return NAN;
+  return detection_of(s, 0);
+}
+
 static unsigned column_of(const estimation *s, unsigned place) {
   return (unsigned)(s->in.mission.place[place] % s->in.mission.columns);
 }
@@ -149,10 +165,38 @@ static unsigned row_of(const estimation *s, unsigned place) {
   return (unsigned)(s->in.mission.place[place] / s->in.mission.columns);
 }
 
-static void write_csv(FILE *out, const estimation *s) {
+/* Which places say themselves what the mission says else: a column each. */
+typedef struct {
+  bool names, scans, detections, looks;
+} own_columns;
+
+static own_columns find_columns(const estimation *s) {
+  const input_terms *terms = &s->in.terms;
+  const qtr_mission *mission = &s->in.mission;
   const naming n = input_naming(&s->in);
-  const bool named = naming_has_places(&n);
-  fprintf(out, "%s,weight%s\n", s->in.frame.metric ? "x,y" : "column,row", named ? ",name" : "");
+  own_columns own = {.names = naming_has_places(&n)};
+  for (unsigned p = 0; p < s->belief.places; p++) {
+    own.scans = own.scans || terms->place_scan[p] != INPUT_UNSAID;
+    own.detections = own.detections || mission->detection[p] != (terms->detection > 0.0 ? terms->detection : 1.0);
+    own.looks = own.looks || mission->looks[p] != (terms->looks > 0 ? terms->looks : 1);
+  }
+  return own;
+}
+
+static void write_own(FILE *out, const estimation *s, const own_columns *own, unsigned place) {
+  const double scan = s->in.terms.place_scan[place];
+  if (own->names) fputc(',', out), separated_put(out, s->in.names.place[place]);
+  if (own->scans) fputc(',', out);
+  if (own->scans && scan != INPUT_UNSAID) fprintf(out, "%.12g", scan);
+  if (own->detections) fprintf(out, ",%.12g", s->in.mission.detection[place]);
+  if (own->looks) fprintf(out, ",%u", (unsigned)s->in.mission.looks[place]);
+  fputc('\n', out);
+}
+
+static void write_csv(FILE *out, const estimation *s) {
+  const own_columns own = find_columns(s);
+  fprintf(out, "%s,weight%s%s%s%s\n", s->in.frame.metric ? "x,y" : "column,row", own.names ? ",name" : "",
+          own.scans ? ",scan_seconds" : "", own.detections ? ",detection" : "", own.looks ? ",looks" : "");
   for (unsigned place = 0; place < s->belief.places; place++) {
     if (s->in.frame.metric) {
       const input_position centre = frame_centre(&s->in, s->in.mission.place[place], true);
@@ -161,8 +205,7 @@ static void write_csv(FILE *out, const estimation *s) {
       fprintf(out, "%u,%u,", column_of(s, place), row_of(s, place));
     }
     fprintf(out, "%.12g", s->after[place]);
-    if (named) fputc(',', out), separated_put(out, s->in.names.place[place]);
-    fputc('\n', out);
+    write_own(out, s, &own, place);
   }
 }
 
@@ -179,6 +222,8 @@ static void write_place(json *j, const estimation *s, unsigned place) {
     json_number(j, "y", centre.y);
   }
   json_natural(j, "found", s->tally.found[place]);
+  json_natural(j, "looks_in_vain", s->tally.vain[place]);
+  json_number(j, "detection", detection_of(s, place));
   json_number(j, "before", s->before[place]);
   json_number(j, "estimate", s->after[place]);
   json_end_object(j);
@@ -200,7 +245,7 @@ static void write_json(FILE *out, const estimation *s) {
   json_bool(&j, "resumed", s->resumed);
   json_number(&j, "prior", s->strength);
   json_number(&j, "keep", s->belief.keep);
-  json_number(&j, "detection", s->o->detection);
+  json_number(&j, "detection", common_detection(s)); /* null where places differ: each says its own */
   json_array(&j, "place");
   for (unsigned place = 0; place < s->belief.places; place++) write_place(&j, s, place);
   json_end_array(&j);
@@ -212,10 +257,14 @@ static void write_place_line(FILE *out, const estimation *s, unsigned place) {
   const naming n = input_naming(&s->in);
   fprintf(out, "  place %s (column %u, row %u): ", naming_place(&n, place).text, column_of(s, place), row_of(s, place));
   if (s->o->history != NULL)
-    fprintf(out, "%.4g -> %.4g, found %s\n", s->before[place], s->after[place],
+    fprintf(out, "%.4g -> %.4g, found %s", s->before[place], s->after[place],
             counted(s->tally.found[place], "time").text);
   else
-    fprintf(out, "%.4g\n", s->after[place]);
+    fprintf(out, "%.4g", s->after[place]);
+  /* Where looks miss nothing there is nothing to tell of them. */
+  if (s->tally.vain[place] > 0 && detection_of(s, place) < 1.0)
+    fprintf(out, ", %s in vain", counted(s->tally.vain[place], "look").text);
+  fputc('\n', out);
 }
 
 static void write_text(FILE *out, const estimation *s) {

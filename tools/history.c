@@ -12,9 +12,10 @@
 #include "quarter/status.h"
 
 #define WORD_SHOWN 60
+#define LOOKS_MOST 1000000 /* of a row */
 
-enum { GAME, FOUND, PLACE, COLUMN, ROW, X, Y, KINDS };
-static const char *const names[KINDS + 1] = {"game", "found", "place", "column", "row", "x", "y", NULL};
+enum { GAME, FOUND, LOOKS, PLACE, COLUMN, ROW, X, Y, KINDS };
+static const char *const names[KINDS + 1] = {"game", "found", "looks", "place", "column", "row", "x", "y", NULL};
 
 typedef struct {
   text_field name; /* empty where the history names no games */
@@ -120,13 +121,30 @@ static int read_number(reading *r, double *value, int kind) {
                     it.text, wrong);
 }
 
+/* "Bay 3 (look 2)" is a look at Bay 3. */
+static size_t without_look(const char *text) {
+  const char *mark = strstr(text, " (look ");
+  char *end;
+  if (mark == NULL || mark[7] < '1' || mark[7] > '9') return strlen(text);
+  strtol(mark + 7, &end, 10);
+  return strcmp(end, ")") == 0 ? (size_t)(mark - text) : strlen(text);
+}
+
+static int find_place(const naming *n, const char *text, char *wrong) {
+  char of[QTR_SITE_NAME_BYTES];
+  const int place = naming_find_place(n, text, wrong);
+  if (place >= 0 || without_look(text) == strlen(text)) return place;
+  snprintf(of, sizeof of, "%.*s", (int)without_look(text), text);
+  return naming_find_place(n, of, wrong);
+}
+
 static int place_by_number(reading *r, unsigned *place) {
   const text_field it = r->value[PLACE];
   char which[WORD_SHOWN + 16];
   char wrong[FAULT_LINE];
   long number;
   const naming n = input_naming(r->in);
-  const int named = naming_find_place(&n, it.text, wrong);
+  const int named = find_place(&n, it.text, wrong);
   *place = (unsigned)named;
   if (named >= 0) return 0;
   if (!text_integer(&number, it.text, it.length))
@@ -179,6 +197,15 @@ static int read_found(reading *r, bool *found) {
                     shown(it), it.text);
 }
 
+static int read_looks(reading *r, long *looks) {
+  const text_field it = r->value[LOOKS];
+  *looks = 1;
+  if (!r->has[LOOKS] || (text_integer(looks, it.text, it.length) && *looks >= 1 && *looks <= LOOKS_MOST)) return 0;
+  return file_fault(r->why, r->path, r->rows.line, 0,
+                    "looks is \"%.*s\"; write how many looks at the place this line tells of, 1 to %d", shown(it),
+                    it.text, LOOKS_MOST);
+}
+
 /* ---- games ---- */
 
 static int end_game(reading *r) {
@@ -189,7 +216,8 @@ static int end_game(reading *r) {
   if (qtr_belief_not_found(r->belief, &r->search) == QTR_OK) return 0;
   return file_fault(r->why, r->path, r->game[r->games - 1].line, 0,
                     "the game that begins here has searched every place and found nothing, so its target was at none; "
-                    "leave it out, or say with --detection how often a search sees what is there");
+                    "leave it out, or say with --detection (or \"detection\" in the mission) how often a look sees "
+                    "what is there");
 }
 
 static int begin_game(reading *r, text_field name) {
@@ -248,15 +276,29 @@ static int check_games(reading *r) {
                     shown(again->name), again->name.text, first->line);
 }
 
+/* What is there was missed by all of the looks. */
+static int miss(reading *r, unsigned place, long looks) {
+  const bool own = r->detection == HISTORY_OF_PLACES;
+  r->tally->vain[place] += (uint32_t)looks;
+  for (long look = 0; look < looks; look++)
+    if (qtr_search_empty(&r->search, place, own ? r->in->mission.detection[place] : r->detection) != QTR_OK) return -1;
+  return 0;
+}
+
+static int read_place(reading *r, unsigned *place) {
+  if (r->has[PLACE]) return place_by_number(r, place);
+  return r->has[X] ? place_by_point(r, place) : place_by_cell(r, place);
+}
+
 static int read_row(reading *r) {
   unsigned place = 0;
+  long looks;
   bool found;
   if (split_row(r) != 0) return -1;
-  const int unknown = r->has[PLACE] ? place_by_number(r, &place)
-                      : r->has[X]   ? place_by_point(r, &place)
-                                    : place_by_cell(r, &place);
-  if (unknown != 0 || read_found(r, &found) != 0 || continue_or_begin_game(r) != 0) return -1;
-  if (!found) return qtr_search_empty(&r->search, place, r->detection);
+  if (read_place(r, &place) != 0 || read_found(r, &found) != 0 || read_looks(r, &looks) != 0) return -1;
+  if (continue_or_begin_game(r) != 0) return -1;
+  if (!found) return miss(r, place, looks);
+  if (miss(r, place, looks - 1) != 0) return -1;
   r->finds++;
   r->tally->finds++;
   r->tally->found[place]++;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "history.h"
 #include "host/input/words.h"
 #include "quarter/regions.h"
 #include "quarter/spots.h"
@@ -340,8 +341,8 @@ option_table option_records = {
      NUMBER(keep, 1e-9, 1.0, "above 0 up to 1 (1: nothing is forgotten)")},
     {.name = "detection",
      .argument = "P",
-     .help = "how often a search sees a target that is there (default %s); for rows with found 0",
-     .standard = "1",
+     .help = "how often a look sees a target that is there, for rows with found 0 (default: as the\n"
+             "mission says of each place)",
      NUMBER(detection, 0.0, 1.0, "from 0 to 1 (1: nothing is overlooked)")},
     {.name = NULL}};
 
@@ -351,7 +352,7 @@ void options_default(options *o) {
   memset(o, 0, sizeof *o);
   plan_config_default(&o->plan);
   simulation_config_default(&o->game);
-  o->detection = 1.0;
+  o->detection = HISTORY_OF_PLACES;
 }
 
 int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {

@@ -42,7 +42,7 @@ typedef struct {
   const char *belief;  /* saved belief, read and written; NULL: none */
   double prior;        /* finds that the mission's weights count for; 0: not given */
   double keep;         /* 0: not given */
-  double detection;
+  double detection;    /* HISTORY_OF_PLACES: each place's own */
 } options;
 
 /* Every option of every command, each told of once: how it is spelt, what it takes, where that goes, what help says of

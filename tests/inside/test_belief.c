@@ -182,6 +182,93 @@ static void test_found_and_empty_in_turn(void) {
   expect_estimate((double[]){3.6 / 6, 2.4 / 6});
 }
 
+/* ---- against all worlds, one by one ---- */
+
+/* A world is where each game's target is, drawn as from Polya's urn, and which of the looks saw it. */
+enum { WORLD_PLACES = 3, WORLD_GAMES = 3, WORLD_LOOKS = 5 };
+
+typedef struct {
+  double alpha[WORLD_PLACES], detection[WORLD_PLACES];
+  unsigned found[WORLD_GAMES];  /* where the first games' targets were found */
+  unsigned looked[WORLD_LOOKS]; /* the last game's looks, all in vain */
+} world_case;
+
+static world_case make_worlds(test_random *random) {
+  world_case c;
+  for (unsigned p = 0; p < WORLD_PLACES; p++) {
+    c.alpha[p] = 0.2 + 3.0 * random_unit(random);
+    c.detection[p] = 0.1 + 0.8 * random_unit(random);
+  }
+  for (unsigned g = 0; g < WORLD_GAMES; g++) c.found[g] = random_below(random, WORLD_PLACES);
+  for (unsigned l = 0; l < WORLD_LOOKS; l++) c.looked[l] = random_below(random, WORLD_PLACES);
+  return c;
+}
+
+/* How likely it is that the urn gives the games' targets, in their order. */
+static double urn_chance(const world_case *c, const unsigned *targets, unsigned games) {
+  double chance = 1.0, all = 0.0, counts[WORLD_PLACES];
+  for (unsigned p = 0; p < WORLD_PLACES; p++) all += counts[p] = c->alpha[p];
+  for (unsigned g = 0; g < games; g++) {
+    chance *= counts[targets[g]] / (all + g);
+    counts[targets[g]] += 1.0;
+  }
+  return chance;
+}
+
+/* Of all ways that the looks may go, those in which nothing is seen. */
+static double unseen_chance(const world_case *c, unsigned target) {
+  double unseen = 0.0;
+  for (unsigned saw = 0; saw < 1u << WORLD_LOOKS; saw++) {
+    double chance = 1.0;
+    for (unsigned l = 0; l < WORLD_LOOKS; l++) {
+      const double sees = c->looked[l] == target ? c->detection[target] : 0.0;
+      chance *= (saw >> l & 1u) != 0 ? sees : 1.0 - sees;
+    }
+    if (saw == 0) unseen += chance;
+  }
+  return unseen;
+}
+
+/* P(target of the last game), and P(target of the game after it), given all that was seen. */
+static void weigh_worlds(const world_case *c, double *last, double *next) {
+  double sum = 0.0;
+  unsigned targets[WORLD_GAMES + 2];
+  memcpy(targets, c->found, sizeof c->found);
+  for (unsigned p = 0; p < WORLD_PLACES; p++) last[p] = next[p] = 0.0;
+  for (unsigned hidden = 0; hidden < WORLD_PLACES; hidden++)
+    for (unsigned after = 0; after < WORLD_PLACES; after++) {
+      targets[WORLD_GAMES] = hidden;
+      targets[WORLD_GAMES + 1] = after;
+      const double chance = urn_chance(c, targets, WORLD_GAMES + 2) * unseen_chance(c, hidden);
+      last[hidden] += chance;
+      next[after] += chance;
+      sum += chance;
+    }
+  for (unsigned p = 0; p < WORLD_PLACES; p++) {
+    last[p] /= sum;
+    next[p] /= sum;
+  }
+}
+
+static void test_posterior_and_estimate_are_those_of_all_worlds_with_sensors_that_miss(void) {
+  for (unsigned number = 0; number < random_cases(300); number++) {
+    test_random random = random_case("worlds", number);
+    const world_case c = make_worlds(&random);
+    double last[WORLD_PLACES], next[WORLD_PLACES], posterior[QTR_MAX_PLACES], sum = 0.0;
+    for (unsigned p = 0; p < WORLD_PLACES; p++) sum += c.alpha[p];
+    begin(WORLD_PLACES, c.alpha, sum, 1.0);
+    for (unsigned g = 0; g < WORLD_GAMES; g++) find(c.found[g]);
+    for (unsigned l = 0; l < WORLD_LOOKS; l++) search_empty(c.looked[l], c.detection[c.looked[l]]);
+    weigh_worlds(&c, last, next);
+    qtr_search_posterior(&search, &belief, posterior);
+    for (unsigned p = 0; p < WORLD_PLACES; p++)
+      TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(NEAR, last[p], posterior[p], case_note);
+    qtr_belief_begin_game(&belief);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_belief_not_found(&belief, &search), case_note);
+    expect_estimate(next);
+  }
+}
+
 /* ---- refusals ---- */
 
 static void expect_refusal(int status, unsigned places, const double *weights, double strength, double keep) {
@@ -367,6 +454,7 @@ int main(void) {
   RUN_TEST(test_a_game_without_a_find_counts_as_its_posterior);
   RUN_TEST(test_the_mean_after_a_game_without_a_find_is_exact);
   RUN_TEST(test_found_and_empty_in_turn);
+  RUN_TEST(test_posterior_and_estimate_are_those_of_all_worlds_with_sensors_that_miss);
   RUN_TEST(test_beginnings_out_of_range_are_refused);
   RUN_TEST(test_weights_whose_sum_is_too_large_for_a_double_still_divide);
   RUN_TEST(test_places_and_sensors_that_are_none_are_refused);

@@ -108,6 +108,46 @@ static void test_a_game_without_a_find_counts_for_the_places_not_searched(void) 
   expect_estimates(0.9 / 2.5, 0.7 / 2.5, 0.9 / 2.5); /* shares 2 : 1 : 2 of one find */
 }
 
+/* Detection 0.5 at place 1 leaves half of it, another look a quarter; place 2 has the mission's 0.8. */
+#define MISSING                                                                                                        \
+  "map: even.txt\ndetection: 0.8\nlooks: 2\nscan_seconds: 1\nrobots: [{column: 0, row: 0}]\n"                          \
+  "places:\n - {column: 1, row: 1, name: Bay}\n - {column: 3, row: 1, detection: 0.5, scan_seconds: 4}\n"              \
+  " - {column: 0, row: 3, looks: 1}\n"
+
+static void test_looks_in_vain_count_by_each_place_s_own_detection(void) {
+  write_file("miss.yaml", MISSING);
+  learn_from("miss.yaml", "game,place,found\n1,1,0\n", "");
+  expect_estimates(0.9 / 2.5, 0.7 / 2.5, 0.9 / 2.5);
+  learn_from("miss.yaml", "game,place,found,looks\n1,1,0,2\n1,2,0,1\n", ""); /* shares 1 : 0.25 : 0.2 of one find */
+  expect_estimates((0.5 + 1 / 1.45) / 2.5, (0.5 + 0.25 / 1.45) / 2.5, (0.5 + 0.2 / 1.45) / 2.5);
+  TEST_ASSERT_TRUE(json_is(result.out, "detection", "null"));
+  learn_from("miss.yaml", "game,place,found\n1,Bay,0\n1,Bay (look 2),0\n", ""); /* 0.04 : 1 : 1 */
+  expect_estimates((0.5 + 0.04 / 2.04) / 2.5, (0.5 + 1 / 2.04) / 2.5, (0.5 + 1 / 2.04) / 2.5);
+  TEST_ASSERT_EQUAL_INT(2, (int)json_value(result.out, "looks_in_vain"));
+  learn_from("miss.yaml", "game,place,found\n1,1,0\n", "--detection 1"); /* the option over the mission */
+  expect_estimates(0.4, 0.2, 0.4);
+}
+
+static void test_looks_before_the_find_change_nothing(void) {
+  write_file("miss.yaml", MISSING);
+  learn_from("miss.yaml", "game,place,found,looks\n1,0,0,2\n1,1,1,2\n", "");
+  expect_estimates(0.2, 0.6, 0.2);
+}
+
+static void test_the_places_written_keep_what_they_say_of_scans_and_looks(void) {
+  write_file("miss.yaml", MISSING);
+  write_file("games.csv", "place\n1\n");
+  run_tool(&result, "belief miss.yaml --history games.csv -o places.csv --quiet");
+  expect_success();
+  read_text("places.csv", result.out, sizeof result.out);
+  TEST_ASSERT_EQUAL_STRING("column,row,weight,name,scan_seconds,detection,looks\n1,1,0.2,Bay,,0.8,2\n"
+                           "3,1,0.6,,4,0.5,2\n0,3,0.2,,,0.8,1\n",
+                           result.out);
+  write_file("next.yaml", "map: even.txt\nplaces_csv: places.csv\nscan_seconds: 1\nrobots: [{column: 0, row: 0}]\n");
+  run_tool(&result, "learn next.yaml --json");
+  expect_success();
+}
+
 static void test_what_was_searched_before_the_find_changes_nothing(void) {
   learn_from("even.txt", "game,place,found\n1,0,0\n1,2,0\n1,1,1\n", "");
   expect_estimates(0.2, 0.6, 0.2);
@@ -247,6 +287,9 @@ static void test_malformed_rows_are_refused(void) {
   expect_bad_history("place,found\n0,maybe\n", "bad.csv:2: found is \"maybe\"", "write 1");
   expect_bad_history("place,found\n0,\n", "bad.csv:2: found is \"\"", "write 1");
   expect_bad_history("game,place\n,0\n", "bad.csv:2: ", "no name");
+  expect_bad_history("place,found,looks\n0,0,0\n", "bad.csv:2: looks is \"0\"", "1 to");
+  expect_bad_history("place,found,looks\n0,0,\n", "bad.csv:2: looks is \"\"", "how many");
+  expect_bad_history("place\n0 (look x)\n", "bad.csv:2: the place \"0 (look x)\"", "0 to 2");
 }
 
 static void test_headers_that_are_none_are_refused(void) {
@@ -308,6 +351,9 @@ int main(void) {
   RUN_TEST(test_layout_is_a_matter_of_taste);
   RUN_TEST(test_a_game_without_a_find_counts_for_the_places_not_searched);
   RUN_TEST(test_what_was_searched_before_the_find_changes_nothing);
+  RUN_TEST(test_looks_in_vain_count_by_each_place_s_own_detection);
+  RUN_TEST(test_looks_before_the_find_change_nothing);
+  RUN_TEST(test_the_places_written_keep_what_they_say_of_scans_and_looks);
   RUN_TEST(test_old_finds_may_fade);
   RUN_TEST(test_many_games_bring_the_hider_s_habits_to_light);
   RUN_TEST(test_the_places_it_writes_are_a_mission_s_places);

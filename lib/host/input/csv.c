@@ -174,14 +174,21 @@ static int wrong_count(const reading *r) {
                            : "write as many, an empty one where there is nothing to say");
 }
 
-/* An empty text is none; an empty number is a fault. */
+/* A name may be left out, and what the mission says for all. */
+static bool may_be_empty(const key_record *record) {
+  static const char *const words[] = {"scan_seconds", "detection", "looks"};
+  for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+    if (strcmp(record->name, words[i]) == 0) return true;
+  return record->kind == KEY_TEXT || record->kind == KEY_NAME;
+}
+
 static int take_field(reading *r, mission_site *place, int i) {
   char number[SEPARATED_NUMBER];
   const key_record *record = &r->column[i].record;
   const value_site site = site_of(r, i);
   const char *text = r->rows.field[i].text;
   const bool is_text = record->kind == KEY_TEXT || record->kind == KEY_NAME;
-  if (record->name == NULL || (is_text && text[0] == '\0')) return 0;
+  if (record->name == NULL || (text[0] == '\0' && may_be_empty(record))) return 0;
   return keys_take(place, record, &site, is_text ? text : separated_number(&r->rows, text, number));
 }
 
