@@ -3,15 +3,12 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "commands.h"
-#include "draw_render.h"
-#include "draw_svg.h"
+#include "draw_file.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/memory.h"
-#include "host/base/outfile.h"
 #include "host/base/stop.h"
 #include "host/plan/problem.h"
 #include "host/plan/terms.h"
@@ -42,6 +39,7 @@ static const option_line lines[] = {
     {"format", "svg, png or pdf; else as FILE ends, or svg", 0},
     {"robots, cell-size, skip-unreachable, snap,\nclear, without, add", "as in 'quarter learn', for inputs", 71},
     OPTION_LINE("dark"),
+    OPTION_LINE("grid"),
     OPTION_LINE("regions"),
     {"region-size region-diameter", "cells of a region, and steps between any two (default %s, %s)", 46},
     {"region-likelihood", "as in 'quarter learn'", 46},
@@ -117,25 +115,7 @@ static void free_sheet(sheet *s) {
 static int from_input(sheet *s, const options *o, fault *why) {
   const qtr_mission *mission = &desk->drawn.in.mission;
   if (prepare_problem(&desk->drawn, o, why) != 0) return -1;
-  const size_t cells = qtr_mission_cells(mission);
-  s->cost = malloc(cells);
-  if (s->cost == NULL) return fault_set(why, "%s: no memory for the picture", o->input);
-  s->d.cost = s->cost;
-  memcpy(s->cost, mission->cost, cells);
-  s->d.columns = mission->columns;
-  s->d.rows = mission->rows;
-  const input_frame *frame = &desk->drawn.in.frame;
-  s->d.cell_size = frame->metric ? frame->cell_size : 0.0;
-  s->d.turned = frame->yaw != 0.0;
-  s->d.x = frame->origin_x;
-  s->d.y = frame->origin_y;
-  s->d.places = mission->places;
-  s->d.number = desk->drawn.in.place_number;
-  s->d.names = &desk->drawn.in.names;
-  memcpy(s->place, mission->place, sizeof s->place);
-  memcpy(s->likelihood, mission->weight, sizeof s->likelihood);
-  s->d.seekers = mission->seekers;
-  for (int i = 0; i < mission->seekers; i++) s->seeker[i] = (drawing_seeker){.start = mission->start[i]};
+  draw_of_input(&s->d, &desk->drawn.in, s->seeker);
   add_line(s, "places\t%d", mission->places);
   add_line(s, "free cells\t%" PRIu32, problem_free_cells(&desk->drawn));
   return 0;
@@ -220,9 +200,9 @@ static int from_table(sheet *s, const table *t, fault *why) {
 static int add_regions(sheet *s, const options *o, fault *why) {
   qtr_regions_config config = o->plan.aggregate.regions;
   config.places = (uint16_t)s->d.places;
-  config.place = s->place;
-  config.weight = s->likelihood;
-  const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->cost};
+  config.place = s->d.place;
+  config.weight = s->d.likelihood;
+  const qtr_grid grid = {(uint16_t)s->d.columns, (uint16_t)s->d.rows, QTR_GRID_BYTES, s->d.cost};
   const size_t cells = drawing_cells(&s->d);
   memory_block *scratch = &desk->dividing;
   if (memory_need(scratch, qtr_regions_scratch_bytes((uint32_t)cells), why) != 0) return -1;
@@ -291,37 +271,6 @@ static void write_nothing(FILE *out, const void *what) {
   (void)what;
 }
 
-/* What draw_svg() writes, in memory; newly allocated. NULL with *why set. */
-static char *draw_text(const sheet *s, const options *o, size_t *length, fault *why) {
-  char *text = NULL;
-  FILE *memory = open_memstream(&text, length);
-  const bool drawn = memory != NULL && draw_svg(memory, &s->d) == 0;
-  if (memory != NULL && fclose(memory) == 0 && drawn) return text;
-  free(text);
-  fault_set(why, "%s: cannot be drawn: no memory, or a route that leaves its map", o->input);
-  return NULL;
-}
-
-static int write_picture(const sheet *s, const options *o, enum draw_form form, fault *why) {
-  outfile out;
-  size_t length;
-  char *text = draw_text(s, o, &length, why);
-  if (text == NULL) return -1;
-  int status = outfile_open(&out, o->output, why);
-  if (status == 0) {
-    if (form == DRAW_SVG)
-      fwrite(text, 1, length, out.file);
-    else
-      status = draw_render(out.file, text, length, form, why);
-    if (status == 0)
-      status = outfile_commit(&out, why);
-    else
-      outfile_abort(&out);
-  }
-  free(text);
-  return status;
-}
-
 /* The mission's name, or the file's, a table's without the suffix. */
 static const char *title_of(const options *o) {
   static char title[256];
@@ -343,40 +292,20 @@ static int fill_sheet(sheet *s, const options *o, fault *why) {
   return status;
 }
 
-/* By --format, or as the output's name ends; one that ends in no way that is known is an SVG. */
-static int find_form(enum draw_form *form, const options *o, fault *why) {
-  static const char *const others[] = {".jpg", ".jpeg", ".gif", ".bmp", ".webp", ".eps", ".ps", ".tif"};
-  int index;
-  *form = DRAW_SVG;
-  if (o->output == NULL) return fault_set(why, "draw: say where to with -o FILE.svg");
-  if (o->format != NULL) {
-    if (option_word(&index, "format", o->format, strlen(o->format), draw_forms, why) != 0) return -1;
-    *form = (enum draw_form)index;
-    return 0;
-  }
-  const char *dot = strrchr(o->output, '.');
-  for (int i = 0; dot != NULL && draw_forms[i] != NULL; i++)
-    if (strcasecmp(dot + 1, draw_forms[i]) == 0) *form = (enum draw_form)i;
-  /* A name that promises another format would be believed. */
-  for (size_t i = 0; dot != NULL && i < sizeof others / sizeof others[0]; i++)
-    if (strcasecmp(dot, others[i]) == 0)
-      return fault_set(why, "-o %s: the picture is SVG, PNG or PDF; name it %.*s.png, and convert that", o->output,
-                       (int)(dot - o->output), o->output);
-  return 0;
-}
-
 static int draw(const options *o, fault *why) {
   enum draw_form form;
-  if (find_form(&form, o, why) != 0) return -1;
+  if (o->output == NULL) return fault_set(why, "draw: say where to with -o FILE.svg");
+  if (draw_file_form(&form, "-o", o->output, o->format, why) != 0) return -1;
   desk = memory_take(sizeof *desk, why);
   if (desk == NULL) return -1;
   set_arrays(&picture);
   picture.d.dark = o->dark;
+  picture.d.grid = o->grid;
   int status = fill_sheet(&picture, o, why);
   picture.d.title = title_of(o);
   if (status == 0 && o->regions) status = add_regions(&picture, o, why);
   if (status == 0 && o->spots) status = add_spots(&picture, o, why);
-  if (status == 0) status = write_picture(&picture, o, form, why);
+  if (status == 0) status = draw_file_write(&picture.d, o->input, o->output, form, why);
   return status == 0 ? print_report(o, write_json, write_nothing, &picture, why) : -1;
 }
 

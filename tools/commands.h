@@ -2,6 +2,7 @@
 #ifndef QUARTER_TOOLS_COMMANDS_H
 #define QUARTER_TOOLS_COMMANDS_H
 
+int command_new(int argc, char **argv);
 int command_learn(int argc, char **argv);
 int command_exact(int argc, char **argv);
 int command_simulate(int argc, char **argv);

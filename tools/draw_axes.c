@@ -30,6 +30,13 @@ static void put_tick_text(const draw_page *page, double x, double y, const char 
           fabs(value) < 1e-9 ? 0.0 : value);
 }
 
+/* A line over the map from an axis' number, as a path's `d`. */
+static void draw_line(const draw_page *page, double x, double y, const char *direction, double length) {
+  if (!page->d->grid) return;
+  fprintf(page->out, "<path stroke=\"%s\" stroke-width=\".7\" stroke-opacity=\".45\" d=\"M%.2f %.2f%s%.2f\"/>",
+          page->theme->muted, x, y, direction, length);
+}
+
 /* Along the lower edge, from the left; a number stands at `value` = first + pixels / page->cell * cell. */
 static void draw_across(const draw_page *page, const axis *a, double step) {
   const double bottom = page->y + page->height, scale = page->cell / a->cell;
@@ -37,6 +44,7 @@ static void draw_across(const draw_page *page, const axis *a, double step) {
   for (double k = ceil(a->first / step - 1e-9); k * step <= end + 1e-9 * step; k++) {
     const double x = page->x + (k * step - a->first) * scale;
     fprintf(page->out, "<path stroke=\"%s\" d=\"M%.2f %.2fv5\"/>", page->theme->muted, x, bottom);
+    draw_line(page, x, page->y, "v", page->height);
     put_tick_text(page, x, bottom + 16, "middle", k * step);
   }
   fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n", page->x + page->width / 2,
@@ -51,6 +59,7 @@ static void draw_up(const draw_page *page, const axis *a, double step) {
     const double along = (k * step - a->first) * scale;
     const double y = down ? page->y + along : page->y + page->height - along;
     fprintf(page->out, "<path stroke=\"%s\" d=\"M%.2f %.2fh-5\"/>", page->theme->muted, page->x, y);
+    draw_line(page, page->x, y, "h", page->width);
     put_tick_text(page, page->x - 8, y + 4, "end", k * step);
   }
   const double middle = page->y + page->height / 2, x = page->x - DRAW_AXIS_LEFT + SIZE - 2;

@@ -28,6 +28,7 @@ typedef struct {
   double x, y;         /* of the outer corner of the bottom-left cell, metres in the map frame */
   bool reached_alone;  /* the map holds what can be reached, and nothing of the rest */
   bool dark;           /* for dark pages */
+  bool grid;           /* lines from the axes' numbers over the map, to read positions from */
   int places;          /* 0..QTR_MAX_PLACES */
   const qtr_cell *place;
   const double *likelihood; /* of each place; any unit */

@@ -13,6 +13,7 @@
 #include "quarter/status.h"
 
 static const char help[] =
+    "quarter new map.yaml                          a mission for a map, to be filled in, and a picture to do it by\n"
     "quarter learn mission.yaml -o mission.qtr     divide the area among the robots, with a certificate\n"
     "quarter check mission.yaml                    every fault of a mission at once, without learning\n"
     "quarter simulate mission.qtr --lost 1@40      play the policy, robots late or lost\n"
@@ -35,10 +36,10 @@ static const struct {
   const char *name;
   int (*run)(int argc, char **argv);
 } commands[] = {
-    {"check", command_check},       {"learn", command_learn},     {"exact", command_exact},
-    {"simulate", command_simulate}, {"inspect", command_inspect}, {"compare", command_compare},
-    {"draw", command_draw},         {"export", command_export},   {"tune", command_tune},
-    {"belief", command_belief},     {"keys", command_keys},
+    {"new", command_new},         {"check", command_check},       {"learn", command_learn},
+    {"exact", command_exact},     {"simulate", command_simulate}, {"inspect", command_inspect},
+    {"compare", command_compare}, {"draw", command_draw},         {"export", command_export},
+    {"tune", command_tune},       {"belief", command_belief},     {"keys", command_keys},
 };
 
 static void refuse_command(const char *word) {

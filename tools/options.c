@@ -308,6 +308,20 @@ option_table option_records = {
      OWN(take_add)},
     {.name = "target", .argument = "PLACE", .help = "where the target is; its finder stops everyone", TEXT(target)},
     {.name = "dark", .help = "for dark pages", MARK(dark)},
+    {.name = "grid", .help = "lines over the map, to read positions from", MARK(grid)},
+    {.name = "picture",
+     .argument = "FILE",
+     .help = "the picture (default: beside the mission, .svg); .png and .pdf too",
+     FILE_NAME(picture)},
+    {.name = "open",
+     .argument = "WxH",
+     .help = "no map, but open ground, so many metres wide and high",
+     FILE_NAME(open)},
+    {.name = "resolution",
+     .argument = "M",
+     .help = "metres a pixel, of an image: the map YAML that says so is written beside it",
+     NUMBER(resolution, 1e-4, 1e3, "of metres, from 0.0001 to 1000")},
+    {.name = "force", .help = "write over a mission and a picture that are there", MARK(force)},
     {.name = "regions", .help = "draw the borders of the map's regions", MARK(regions)},
     {.name = "spots", .help = "mark the places of each hiding spot alike, for inputs", MARK(spots)},
     {.name = "format", .argument = "FORMAT", .help = "of the output; else as its name ends", TEXT(format)},
@@ -355,15 +369,20 @@ void options_default(options *o) {
   o->detection = HISTORY_OF_PLACES;
 }
 
-int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {
+int options_parse_any(options *o, const option_set *set, int argc, char **argv, fault *why) {
   options_default(o);
   if (option_parse(o, set, argc, argv, why) != 0) return -1;
   if (o->help) return 0;
-  if (optind == argc) return fault_set(why, "%s: name an input; 'quarter %s --help' shows how", set->name, set->name);
   if (optind + 1 < argc)
     return fault_set(why, "%s: one input at a time, and '%s' is a second one", set->name, argv[optind + 1]);
-  o->input = argv[optind];
+  o->input = optind < argc ? argv[optind] : NULL;
   return 0;
+}
+
+int options_parse(options *o, const option_set *set, int argc, char **argv, fault *why) {
+  if (options_parse_any(o, set, argc, argv, why) != 0) return -1;
+  if (o->help || o->input != NULL) return 0;
+  return fault_set(why, "%s: name an input; 'quarter %s --help' shows how", set->name, set->name);
 }
 
 int options_parse_two(options *o, const option_set *set, int argc, char **argv, fault *why) {

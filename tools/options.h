@@ -30,7 +30,12 @@ typedef struct {
   char late[QTR_MAX_SEEKERS][QTR_SITE_NAME_BYTES], lost[QTR_MAX_SEEKERS][QTR_SITE_NAME_BYTES]; /* of game's, in order */
   const char *target;                                                                          /* NULL: none */
   /* drawing */
-  bool regions, spots, dark;
+  bool regions, spots, dark, grid;
+  /* a mission begun */
+  const char *picture; /* NULL: beside the output */
+  const char *open;    /* "WxH" of open ground; NULL: there is a map */
+  double resolution;   /* of an image: metres a pixel; 0: not given */
+  bool force;
   /* writing for others */
   const char *format; /* NULL: as the output's name ends */
   const char *robot;  /* name or number; NULL: all */
@@ -73,6 +78,9 @@ int options_parse(options *o, const option_set *set, int argc, char **argv, faul
 
 /* The same of a command that takes two inputs. */
 int options_parse_two(options *o, const option_set *set, int argc, char **argv, fault *why);
+
+/* The same of a command that can do without an input: `input` is NULL then. */
+int options_parse_any(options *o, const option_set *set, int argc, char **argv, fault *why);
 
 /* The same for a command that reads no input. */
 int options_parse_alone(options *o, const option_set *set, int argc, char **argv, fault *why);

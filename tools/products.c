@@ -4,7 +4,7 @@
 
 #include "host/base/outfile.h"
 
-enum { OUTPUTS = 5 };
+enum { OUTPUTS = 6 };
 
 typedef struct {
   const char *word;
@@ -16,6 +16,7 @@ static void list(output *outputs, const options *o) {
   const output all[OUTPUTS] = {{"--output", o->output},
                                {"--c", o->c_output},
                                {"--curve", o->curve},
+                               {"--picture", o->picture},
                                {"--belief", o->history != NULL ? o->belief : NULL},
                                {"--json", json}};
   memcpy(outputs, all, sizeof all);

@@ -8,8 +8,8 @@
 
 enum { OPTIONS_MOST = 64 };
 
-static const char *const commands[] = {"learn",   "exact",  "simulate", "inspect", "draw",
-                                       "compare", "export", "tune",     "belief"};
+static const char *const commands[] = {"new",  "learn",   "exact",  "simulate", "inspect",
+                                       "draw", "compare", "export", "tune",     "belief"};
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
 
 static tool_result help[COMMANDS];

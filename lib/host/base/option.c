@@ -8,7 +8,10 @@
 #include "host/base/near.h"
 #include "host/base/refusal.h"
 
-enum { OPTIONS_MOST = 64 };
+enum {
+  OPTIONS_MOST = 96,
+  LONG_ONE = 256 /* what getopt returns for the first long option: no letter, and none of its own signs */
+};
 
 static const char name_letters[] = "abcdefghijklmnopqrstuvwxyz-";
 
@@ -117,13 +120,13 @@ static int argument_of(const option_record *r) {
   return r->argument == NULL ? no_argument : r->argument[0] == '[' ? optional_argument : required_argument;
 }
 
-/* getopt's tables for what this command takes: a long option returns its record's number, counted from 1. */
+/* getopt's tables for what this command takes: a long option returns its record's number, counted from LONG_ONE. */
 static void make_tables(const option_set *set, struct option *longs, char *shorts) {
   int count = 0;
   *shorts++ = ':';
   for (const option_record *r = set->table; r->name != NULL; r++) {
     if (!option_is_taken(set, r->name)) continue;
-    longs[count++] = (struct option){r->name, argument_of(r), NULL, (int)(r - set->table) + 1};
+    longs[count++] = (struct option){r->name, argument_of(r), NULL, (int)(r - set->table) + LONG_ONE};
     if (r->letter == 0) continue;
     *shorts++ = r->letter;
     if (argument_of(r) == required_argument) *shorts++ = ':';
@@ -133,7 +136,7 @@ static void make_tables(const option_set *set, struct option *longs, char *short
 }
 
 static const option_record *record_of(const option_record *table, int code) {
-  if (code <= OPTIONS_MOST) return &table[code - 1];
+  if (code >= LONG_ONE) return &table[code - LONG_ONE];
   while (table->letter != code) table++;
   return table;
 }

@@ -109,7 +109,6 @@ input_site mission_site_of(const mission_site *stated, int group) {
   .kind = KEY_NUMBER, .help = "over plain ground", .example = "0.5", .where = METRIC_MAPS, .unit = "m/s",              \
   .noun = "a speed", .most = 1e4, .least_out = true
 
-#define ROS_MAPS "ROS maps"
 #define METRIC_MAPS "maps with metres"
 
 /* ---- where the map lies ---- */
@@ -288,7 +287,7 @@ static const key_record mission_records[] = {
      .help = "obstacles grow by it, so that a robot's middle may be anywhere in a free cell",
      .example = "0.2",
      .standard = "0",
-     .where = ROS_MAPS,
+     .where = MISSION_ROS_MAPS,
      .unit = "m",
      .noun = "a length",
      .most = HUGE_VAL,
@@ -299,7 +298,7 @@ static const key_record mission_records[] = {
      .help = "what unknown ground is: an obstacle, or free",
      .example = "blocked",
      .standard = "blocked, but for what the map's thresholds make free",
-     .where = ROS_MAPS,
+     .where = MISSION_ROS_MAPS,
      .words = words_unknown,
      KEY_FIELD(input, ground.unknown),
      KEY_GIVEN(input, ground.unknown_given)},

@@ -8,6 +8,9 @@
 #include "host/input/input.h"
 #include "host/input/keys.h"
 
+/* What a key's `where` says where only such maps have a use for it. */
+#define MISSION_ROS_MAPS "ROS maps"
+
 /* A robot or a place, as its keys are read. */
 typedef struct {
   double x, y;

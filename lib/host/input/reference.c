@@ -12,7 +12,7 @@ static void write_name(FILE *out, const key_record *r) {
   write_words(out, r->also);
 }
 
-static void write_values(FILE *out, const key_record *r) {
+void reference_write_values(FILE *out, const key_record *r) {
   static const char *const kinds[] = {[KEY_TEXT] = "a text",
                                       [KEY_NAME] = "a name of its own",
                                       [KEY_FILE] = "a file, relative to this one",
@@ -39,7 +39,7 @@ static void write_row(FILE *out, const key_record *r) {
   fprintf(out, " | %s", r->help);
   if (r->where != NULL) fprintf(out, "; %s only", r->where);
   fputs(" | ", out);
-  write_values(out, r);
+  reference_write_values(out, r);
   fprintf(out, " | %s | %s | `%s` |\n", r->unit != NULL ? r->unit : "",
           r->needed             ? "needed"
           : r->standard != NULL ? r->standard

@@ -6,6 +6,9 @@
 
 #include "host/input/keys.h"
 
+/* What a key takes: "a number above 0 and up to 1". */
+void reference_write_values(FILE *out, const key_record *r);
+
 void reference_write(FILE *out, const key_set *set);
 
 #endif
