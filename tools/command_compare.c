@@ -1,9 +1,9 @@
-#include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "commands.h"
+#include "figures.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/stop.h"
@@ -47,6 +47,8 @@ typedef struct {
   table_route route[QTR_MAX_SEEKERS];
   int visitor[QTR_MAX_PLACES]; /* NOBODY */
   qtr_steps step[QTR_MAX_PLACES];
+  double seconds;      /* a step; 0: the table does not say */
+  double a_step, unit; /* seconds to count a step by, 1 where none are said, and figures: so that two plans can be */
 } side;
 
 typedef struct {
@@ -65,6 +67,9 @@ static int read_side(side *s, fault *why) {
   s->names = table_naming(&s->t);
   s->certificate = table_certificate_of(&s->t.policy);
   table_routes(&s->t, s->route);
+  s->seconds = table_step_seconds(&s->t);
+  s->a_step = s->seconds > 0.0 ? s->seconds : 1.0;
+  s->unit = figures_unit(s->certificate.objective, s->seconds);
   for (int place = 0; place < s->names.places; place++) s->visitor[place] = NOBODY;
   for (int seeker = 0; seeker < s->names.seekers; seeker++) {
     const table_route *route = &s->route[seeker];
@@ -84,8 +89,27 @@ static void match_places(comparison *c) {
   }
 }
 
-static qtr_steps way_of(const side *s, int from, int to) {
-  return qtr_board_class_steps(&s->t.policy.board, 0, (unsigned)from, (unsigned)to);
+/* What times are told by rounds them. */
+static bool is_as_long(double seconds, double other) {
+  return seconds == other || fabs(seconds - other) <= 1e-5 * fmax(seconds, other);
+}
+
+/* Of plain ground, in metres (cells, on a map without), by whichever class has the shortest way. */
+static double way_of(const side *s, int from, int to) {
+  const qtr_policy *policy = &s->t.policy;
+  const double side_m = qtr_policy_frame(policy).cell_size_um / 1e6;
+  double shortest = HUGE_VAL;
+  for (unsigned of = 0; of == 0 || of < policy->board.terms.classes; of++) {
+    const qtr_steps steps = qtr_board_class_steps(&policy->board, of, (unsigned)from, (unsigned)to);
+    const qtr_steps scan = qtr_board_class_steps(&policy->board, of, (unsigned)to, (unsigned)to);
+    if (steps == QTR_NEVER || scan == QTR_NEVER) continue;
+    shortest = fmin(shortest, (double)(steps - scan) / qtr_claim_cell_steps(policy, of));
+  }
+  return shortest * (side_m > 0.0 ? side_m : 1.0);
+}
+
+static double when(const side *s, int place) {
+  return s->a_step * s->step[place];
 }
 
 static bool is_alike(const side *a, int place, const side *b, int other) {
@@ -102,9 +126,14 @@ static bool is_one_mission(const comparison *c) {
   for (int place = 0; place < a->names.places; place++) {
     if (c->other[place] == NOBODY || !is_alike(a, place, b, c->other[place])) return false;
     for (int to = 0; to < place; to++)
-      if (way_of(a, place, to) != way_of(b, c->other[place], c->other[to])) return false;
+      if (!is_as_long(way_of(a, place, to), way_of(b, c->other[place], c->other[to]))) return false;
   }
   return true;
+}
+
+/* A second's, or a step's where none are said. */
+static double gamma_of(const side *s) {
+  return s->a_step == 1.0 ? s->certificate.gamma : pow(s->certificate.gamma, 1.0 / s->a_step);
 }
 
 static int check_objectives(const comparison *c, fault *why) {
@@ -114,10 +143,10 @@ static int check_objectives(const comparison *c, fault *why) {
     return fault_set(why,
                      "%s has the %s and %s the %s: their figures are of two kinds; learn both with one --objective",
                      a->path, first->goal, b->path, qtr_objective_in_words(b->certificate.objective)->goal);
-  if (first->fades && a->certificate.gamma != b->certificate.gamma)
+  if (first->fades && fabs(gamma_of(a) - gamma_of(b)) > 1e-6 * (1.0 - gamma_of(a)))
     return fault_set(why,
                      "%s has a gamma of %g and %s of %g: their values are in two units; learn both with one --gamma",
-                     a->path, a->certificate.gamma, b->path, b->certificate.gamma);
+                     a->path, gamma_of(a), b->path, gamma_of(b));
   return 0;
 }
 
@@ -144,8 +173,10 @@ static changes count_changes(const comparison *c) {
     }
     n.common++;
     n.moved += !is_one_robot(a, a->visitor[place], b, b->visitor[other]);
-    n.sooner += b->step[other] < a->step[place];
-    n.later += b->step[other] > a->step[place];
+    if (a->visitor[place] == NOBODY || b->visitor[other] == NOBODY || is_as_long(when(a, place), when(b, other)))
+      continue;
+    n.sooner += when(b, other) < when(a, place);
+    n.later += when(b, other) > when(a, place);
   }
   n.fresh = b->names.places - n.common;
   return n;
@@ -179,12 +210,8 @@ static void put_row(FILE *out, const comparison *c, const char *name, const char
   fprintf(out, "  %s\n", second);
 }
 
-static count_text told_figure(uint8_t objective, double figure) {
-  const char *unit = qtr_objective_in_words(objective)->unit;
-  count_text told;
-  if (unit != NULL) return measured(figure, unit);
-  snprintf(told.text, sizeof told.text, "%.6g", figure);
-  return told;
+static count_text told_figure(const side *s, double figure) {
+  return figures_told(s->certificate.objective, figure, s->seconds);
 }
 
 static count_text told_certificate(const table_certificate *c) {
@@ -206,46 +233,53 @@ static count_text told_size(const side *s) {
 }
 
 static void write_figures(FILE *out, const comparison *c) {
-  const table_certificate *a = &c->side[0].certificate, *b = &c->side[1].certificate;
-  const qtr_objective_words *words = qtr_objective_in_words(a->objective);
-  put_row(out, c, words->figure, told_figure(a->objective, a->figure).text, told_figure(b->objective, b->figure).text);
-  put_row(out, c, words->limit, told_figure(a->objective, a->bound).text, told_figure(b->objective, b->bound).text);
-  put_row(out, c, "", told_certificate(a).text, told_certificate(b).text);
-  put_row(out, c, "", told_size(&c->side[0]).text, told_size(&c->side[1]).text);
+  const side *a = &c->side[0], *b = &c->side[1];
+  const qtr_objective_words *words = qtr_objective_in_words(a->certificate.objective);
+  put_row(out, c, words->figure, told_figure(a, a->certificate.figure).text,
+          told_figure(b, b->certificate.figure).text);
+  put_row(out, c, words->limit, told_figure(a, a->certificate.bound).text, told_figure(b, b->certificate.bound).text);
+  put_row(out, c, "", told_certificate(&a->certificate).text, told_certificate(&b->certificate).text);
+  put_row(out, c, "", told_size(a).text, told_size(b).text);
 }
 
-/* "seeker Alpha, step 12" */
+#define VISIT_BYTES (sizeof(table_name) + sizeof(count_text) + 2)
+
+/* "seeker Alpha, step 12", "seeker Alpha, step 12, 6 s" */
 static void tell_visit(char *text, size_t size, const side *s, int place) {
   if (place == NOBODY)
     snprintf(text, size, "-");
   else if (s->visitor[place] == NOBODY)
     snprintf(text, size, "nobody");
   else
-    snprintf(text, size, "%s, step %" PRIu32, table_robot_name(&s->t, s->visitor[place]).text, s->step[place]);
+    snprintf(text, size, "%s, %s", table_robot_name(&s->t, s->visitor[place]).text,
+             figures_moment(s->step[place], s->seconds).text);
 }
 
 static void write_visit(FILE *out, const comparison *c, int place, int other) {
   const side *a = &c->side[0], *b = &c->side[1];
-  char first[SIDES * QTR_SITE_NAME_BYTES], second[SIDES * QTR_SITE_NAME_BYTES];
+  char first[VISIT_BYTES], second[VISIT_BYTES];
   const table_name name =
-      place != NOBODY ? table_place_name(&a->t, (unsigned)place) : table_place_name(&b->t, (unsigned)other);
+      place != NOBODY ? table_look_name(&a->t, (unsigned)place) : table_look_name(&b->t, (unsigned)other);
   tell_visit(first, sizeof first, a, place);
   tell_visit(second, sizeof second, b, other);
   put_row(out, c, name.text, first, second);
 }
 
+/* What a plan comes to, where both count alike. */
+static double worth(const side *s) {
+  return s->unit * s->certificate.figure;
+}
+
 static void write_better(FILE *out, const comparison *c) {
   const side *a = &c->side[0], *b = &c->side[1];
-  const uint8_t kind = a->certificate.objective;
-  const bool first = qtr_objective_is_better(kind, a->certificate.figure, b->certificate.figure);
+  const bool first = qtr_objective_is_better(a->certificate.objective, worth(a), worth(b));
   const side *better = first ? a : b, *worse = first ? b : a;
-  const double figure = better->certificate.figure, against = worse->certificate.figure;
-  if (figure == against)
+  if (worth(a) == worth(b))
     fputs("both are worth the same\n", out);
   else
     fprintf(out, "%s is better by %.3g %%: %s against %s\n", better->path,
-            100.0 * fabs(figure - against) / fabs(against), told_figure(kind, figure).text,
-            told_figure(kind, against).text);
+            100.0 * fabs(worth(better) - worth(worse)) / fabs(worth(worse)),
+            told_figure(better, better->certificate.figure).text, told_figure(worse, worse->certificate.figure).text);
 }
 
 static void write_verdict(FILE *out, const comparison *c) {
@@ -264,17 +298,18 @@ static void write_verdict(FILE *out, const comparison *c) {
 /* As wide as what stands there. */
 static void lay_out(comparison *c) {
   const side *a = &c->side[0], *b = &c->side[1];
-  char visit[SIDES * QTR_SITE_NAME_BYTES];
+  char visit[VISIT_BYTES];
   c->name_column = wider(0, qtr_objective_in_words(a->certificate.objective)->limit);
   c->side_column = wider(wider(0, a->path), told_certificate(&a->certificate).text);
   c->side_column = wider(c->side_column, told_size(a).text);
+  c->name_column = wider(c->name_column, qtr_objective_in_words(a->certificate.objective)->figure);
   for (int place = 0; place < a->names.places; place++) {
     tell_visit(visit, sizeof visit, a, place);
-    c->name_column = wider(c->name_column, table_place_name(&a->t, (unsigned)place).text);
+    c->name_column = wider(c->name_column, table_look_name(&a->t, (unsigned)place).text);
     c->side_column = wider(c->side_column, visit);
   }
   for (int place = 0; place < b->names.places; place++)
-    c->name_column = wider(c->name_column, table_place_name(&b->t, (unsigned)place).text);
+    c->name_column = wider(c->name_column, table_look_name(&b->t, (unsigned)place).text);
 }
 
 static void write_text(FILE *out, const void *what) {
@@ -293,12 +328,13 @@ static void write_table_json(json *j, const side *s) {
   const table_certificate *c = &s->certificate;
   json_object(j, NULL);
   json_string(j, "input", s->path);
-  json_number(j, "objective_value", c->figure);
-  json_number(j, "objective_bound", c->bound);
+  json_number(j, "objective_value", s->unit * c->figure);
+  json_number(j, "objective_bound", s->unit * c->bound);
   json_number(j, "gap", c->gap);
   json_bool(j, "certified", c->certified);
   json_number(j, "value", c->value);
   json_number(j, "expected_time", c->expected_time);
+  figures_json_seconds(j, "expected_time_seconds", c->expected_time, s->seconds);
   json_integer(j, "robots", s->names.seekers);
   json_integer(j, "places", s->names.places);
   json_end_object(j);
@@ -315,6 +351,7 @@ static void write_visit_json(json *j, const char *key, const side *s, int place)
   if (s->visitor[place] != NOBODY) {
     json_integer(j, "seeker", s->visitor[place]);
     json_natural(j, "step", s->step[place]);
+    figures_json_seconds(j, "seconds", s->step[place], s->seconds);
   }
   json_end_object(j);
 }
@@ -329,19 +366,20 @@ static void write_visits_json(json *j, const comparison *c, int place, int other
 static void write_json(FILE *out, const void *what) {
   const comparison *c = what;
   const changes n = count_changes(c);
-  const table_certificate *a = &c->side[0].certificate, *b = &c->side[1].certificate;
+  const side *a = &c->side[0], *b = &c->side[1];
+  const uint8_t objective = a->certificate.objective;
   json j;
   json_begin(&j, out);
   json_object(&j, NULL);
   json_string(&j, "command", "compare");
-  json_string(&j, "objective", qtr_objective_names[a->objective]);
+  json_string(&j, "objective", qtr_objective_names[objective]);
   json_bool(&j, "one_mission", c->one_mission);
   json_array(&j, "tables");
   for (int i = 0; i < SIDES; i++) write_table_json(&j, &c->side[i]);
   json_end_array(&j);
-  json_number(&j, "difference", b->figure - a->figure);
+  json_number(&j, "difference", worth(b) - worth(a));
   if (c->one_mission)
-    json_bool(&j, "second_is_better", qtr_objective_is_better(a->objective, b->figure, a->figure));
+    json_bool(&j, "second_is_better", qtr_objective_is_better(objective, worth(b), worth(a)));
   else
     json_null(&j, "second_is_better");
   json_integer(&j, "moved", n.moved);

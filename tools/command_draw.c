@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "draw_file.h"
+#include "figures.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/memory.h"
@@ -56,7 +57,7 @@ static const char outro[] =
 
 static const option_set set = {"draw", intro, outro, option_records, lines};
 
-#define LINES_MOST 8
+#define LINES_MOST 12
 #define LINE_SIZE 96
 
 /* All that a drawing points to. */
@@ -116,6 +117,7 @@ static int from_input(sheet *s, const options *o, fault *why) {
   const qtr_mission *mission = &desk->drawn.in.mission;
   if (prepare_problem(&desk->drawn, o, why) != 0) return -1;
   draw_of_input(&s->d, &desk->drawn.in, s->seeker);
+  s->d.step_seconds = desk->drawn.pace.stated ? desk->drawn.pace.seconds_per_step : 0.0;
   add_line(s, "places\t%d", mission->places);
   add_line(s, "free cells\t%" PRIu32, problem_free_cells(&desk->drawn));
   return 0;
@@ -133,10 +135,11 @@ static int walk(sheet *s, const table *t, int seeker, fault *why) {
   way walked;
   if (way_walk(&walked, t, seeker, &s->route[seeker], why) != 0) return -1;
   s->trail[seeker] = malloc(walked.count * sizeof(qtr_cell));
+  size_t cells = 0;
   for (size_t i = 0; s->trail[seeker] != NULL && i < walked.count; i++)
-    s->trail[seeker][i] = on_map(t, walked.at[i].cell);
+    if (i == 0 || walked.at[i].cell != walked.at[i - 1].cell) s->trail[seeker][cells++] = on_map(t, walked.at[i].cell);
   s->seeker[seeker].trail = s->trail[seeker];
-  s->seeker[seeker].trail_length = walked.count;
+  s->seeker[seeker].trail_length = cells;
   way_free(&walked);
   return s->trail[seeker] != NULL ? 0 : fault_set(why, "no memory for seeker %d's route", seeker);
 }
@@ -151,6 +154,13 @@ static int add_seeker(sheet *s, const table *t, int seeker, fault *why) {
   return walk(s, t, seeker, why);
 }
 
+static void add_found(sheet *s, const table_certificate *c, double step_seconds) {
+  if (c->deadline > 0)
+    add_line(s, "found by %s\t%.5g", figures_time(c->deadline, step_seconds).text, c->found);
+  else if (c->found < 1.0 - 1e-9)
+    add_line(s, "found at all\t%.5g", c->found);
+}
+
 static void add_certificate(sheet *s, const table *t) {
   const table_certificate c = table_certificate_of(&t->policy);
   const qtr_objective_words *words = qtr_objective_in_words(c.objective);
@@ -159,9 +169,24 @@ static void add_certificate(sheet *s, const table *t) {
   else
     add_line(s, "%s\tgap %s%.2g%%", c.certified ? "certified" : "not certified", c.gap < 1e-5 ? "below " : "",
              100.0 * fmax(c.gap, 1e-5));
-  add_line(s, "expected time\t%s", measured(c.expected_time, "step").text);
+  const double seconds = table_step_seconds(t);
+  add_line(s, "expected time\t%s", figures_time(c.expected_time, seconds).text);
+  add_found(s, &c, seconds);
   add_line(s, "discounted value\t%.5g", c.value);
-  add_line(s, words->unit != NULL ? "%s\t%.5g %ss" : "%s\t%.5g", words->limit, c.bound, words->unit);
+  if (words->unit != NULL && seconds > 0.0)
+    add_line(s, "%s\t%.5g s", words->limit, c.bound * seconds);
+  else
+    add_line(s, words->unit != NULL ? "%s\t%.5g %ss" : "%s\t%.5g", words->limit, c.bound, words->unit);
+  if (seconds > 0.0) add_line(s, "a step\t%.6g s", seconds);
+}
+
+/* A later look is none of the input's places. */
+static void name_looks(sheet *s, const table *t) {
+  const naming n = table_naming(t);
+  for (unsigned place = 0; place < t->policy.board.places; place++)
+    if (qtr_policy_place(&t->policy, place) != place)
+      snprintf(s->names.place[place], sizeof s->names.place[place], "%.*s", QTR_SITE_NAME_BYTES - 1,
+               naming_place(&n, place).text);
 }
 
 static int from_table(sheet *s, const table *t, fault *why) {
@@ -175,6 +200,7 @@ static int from_table(sheet *s, const table *t, fault *why) {
   s->d.rows = t->claim.map_rows;
   const qtr_frame frame = qtr_policy_frame(policy);
   s->d.cell_size = frame.cell_size_um / 1e6;
+  s->d.step_seconds = table_step_seconds(t);
   s->d.turned = frame.sine != 0 || frame.cosine < 0;
   table_map_origin(t, &s->d.x, &s->d.y);
   s->d.reached_alone = true;
@@ -188,6 +214,7 @@ static int from_table(sheet *s, const table *t, fault *why) {
   s->d.number = s->number;
   s->names = t->names;
   s->d.names = &s->names;
+  name_looks(s, t);
   table_routes(t, s->route);
   add_certificate(s, t);
   for (int seeker = 0; seeker < s->d.seekers; seeker++)
@@ -196,6 +223,11 @@ static int from_table(sheet *s, const table *t, fault *why) {
 }
 
 /* ---- regions and spots ---- */
+
+static void add_mean_distance(sheet *s) {
+  add_line(s, "to representative\t%.3g step%s", s->mean_distance, s->mean_distance == 1.0 ? "" : "s");
+  if (s->d.step_seconds > 0.0) add_line(s, "\t%.3g s", s->mean_distance * s->d.step_seconds);
+}
 
 static int add_regions(sheet *s, const options *o, fault *why) {
   qtr_regions_config config = o->plan.aggregate.regions;
@@ -224,7 +256,7 @@ static int add_regions(sheet *s, const options *o, fault *why) {
   }
   if (s->free_cells > 0) s->mean_distance /= s->free_cells;
   add_line(s, "regions\t%" PRIu32, desk->divided.count);
-  add_line(s, "to representative\t%.3g step%s", s->mean_distance, s->mean_distance == 1.0 ? "" : "s");
+  add_mean_distance(s);
   return 0;
 }
 
@@ -261,6 +293,7 @@ static void write_json(FILE *out, const void *what) {
     json_natural(&j, "cells", s->free_cells);
     json_natural(&j, "regions", s->d.regions);
     json_number(&j, "mean_distance", s->mean_distance);
+    figures_json_seconds(&j, "mean_distance_seconds", s->mean_distance, s->d.step_seconds);
   }
   notes_json(&desk->drawn.in.note, &j);
   json_end_object(&j);

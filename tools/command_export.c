@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "export_parts.h"
+#include "figures.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/outfile.h"
@@ -196,6 +197,7 @@ static void write_json(FILE *out, const void *what) {
     json_natural(&j, "waypoints", way->count);
     json_integer(&j, "places", way->places);
     json_natural(&j, "steps", last_of(way)->step);
+    figures_json_seconds(&j, "seconds", last_of(way)->step, table_step_seconds(&w->t));
     json_end_object(&j);
   }
   json_end_array(&j);
@@ -206,8 +208,10 @@ static void write_text(FILE *out, const void *what) {
   const work *w = what;
   for (int i = 0; i < w->plan.ways; i++) {
     const export_way *way = &w->plan.way[i];
-    fprintf(out, "  %s: %s, %s, %s\n", table_robot_name(&w->t, way->robot).text, counted(way->count, "waypoint").text,
+    fprintf(out, "  %s: %s, %s, %s", table_robot_name(&w->t, way->robot).text, counted(way->count, "waypoint").text,
             counted((uint64_t)way->places, "place").text, counted(last_of(way)->step, "step").text);
+    if (table_step_seconds(&w->t) > 0.0) fprintf(out, ", %.6g s", last_of(way)->seconds);
+    fputc('\n', out);
   }
   for (int i = 0; i < w->files; i++) fprintf(out, "wrote %s\n", w->path[i]);
 }

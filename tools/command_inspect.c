@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "figures.h"
 #include "fit.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
@@ -51,7 +52,8 @@ static void write_places(json *j, const table *t) {
   json_array(j, "place");
   for (unsigned place = 0; place < t->policy.board.places; place++) {
     json_flat_object(j, NULL);
-    if (t->claim.numbers != NULL) json_integer(j, "number", t->number[place]);
+    if (t->claim.numbers != NULL || qtr_policy_place(&t->policy, place) != place)
+      json_integer(j, "number", t->number[place]);
     naming_json_place(&n, j, place);
     json_integer(j, "column", table_column(t, qtr_policy_cell(&t->policy, place)));
     json_integer(j, "row", table_row(t, qtr_policy_cell(&t->policy, place)));
@@ -88,6 +90,7 @@ typedef struct {
   const options *o;
   fit fit;
   table_route routes[QTR_MAX_SEEKERS];
+  route_units units;
 } inspection;
 
 typedef struct {
@@ -122,11 +125,22 @@ static void write_frame(json *j, const table *t) {
   json_end_object(j);
 }
 
+/* Where looks may miss or it is said how long a step is. */
+static void write_terms(json *j, const table *t, const table_certificate *c) {
+  const double seconds = table_step_seconds(t);
+  figures_json_seconds(j, "expected_time_seconds", c->expected_time, seconds);
+  if (seconds > 0.0) json_number(j, "seconds_per_step", seconds);
+  if (seconds > 0.0 || c->found < 1.0) json_number(j, "found_probability", c->found);
+  if (c->deadline > 0) json_natural(j, "deadline_step", c->deadline);
+  if (c->deadline > 0) figures_json_seconds(j, "deadline_seconds", c->deadline, seconds);
+}
+
 static void write_json(FILE *out, const void *what) {
   const inspection *i = what;
   const table *t = &i->t;
   const table_certificate c = table_certificate_of(&t->policy);
   const naming n = table_naming(t);
+  const double seconds = table_step_seconds(t);
   char version[40];
   json j;
   snprintf(version, sizeof version, "%u.%u.%u", c.version[0], c.version[1], c.version[2]);
@@ -149,8 +163,9 @@ static void write_json(FILE *out, const void *what) {
   json_string(&j, "rule", words_rule[t->policy.board.rule]);
   json_number(&j, "value", c.value);
   json_number(&j, "expected_time", c.expected_time);
-  json_number(&j, "objective_value", c.figure);
-  json_number(&j, "objective_bound", c.bound);
+  write_terms(&j, t, &c);
+  json_number(&j, "objective_value", figures_unit(c.objective, seconds) * c.figure);
+  json_number(&j, "objective_bound", figures_unit(c.objective, seconds) * c.bound);
   json_number(&j, "gap", c.gap);
   json_bool(&j, "certified", c.certified);
   json_natural(&j, "seed", c.seed);
@@ -159,7 +174,7 @@ static void write_json(FILE *out, const void *what) {
   fit_json(&j, &i->fit);
   write_map(&j, t);
   write_places(&j, t);
-  report_json_routes(&j, i->routes, &n, NULL);
+  report_json_routes(&j, i->routes, &n, &i->units);
   json_end_object(&j);
 }
 
@@ -168,17 +183,24 @@ static void write_text(FILE *out, const void *what) {
   const table *t = &i->t;
   const table_certificate c = table_certificate_of(&t->policy);
   const naming n = table_naming(t);
+  const double seconds = table_step_seconds(t);
   fprintf(out, "%s: a sound policy table, %s, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", i->o->input,
           counted(t->bytes.size, "byte").text, c.version[0], c.version[1], c.version[2], c.seed);
   fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->claim.map_columns, t->claim.map_rows,
           counted(t->policy.board.places, "place").text, counted(t->policy.board.seekers, "robot").text,
           words_rule[t->policy.board.rule], qtr_objective_in_words(c.objective)->goal);
   fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %s; bound %.6g, gap %.3g%%\n",
-          c.certified ? "certified" : "not certified", c.value, c.gamma, measured(c.expected_time, "step").text,
-          c.bound, 100.0 * c.gap);
+          c.certified ? "certified" : "not certified", c.value, c.gamma, figures_time(c.expected_time, seconds).text,
+          figures_unit(c.objective, seconds) * c.bound, 100.0 * c.gap);
+  if (seconds > 0.0) fprintf(out, "a step is %.6g s\n", seconds);
+  if (c.deadline > 0)
+    fprintf(out, "finds by the deadline (%s) with probability %.6g\n", figures_moment(c.deadline, seconds).text,
+            c.found);
+  else if (c.found < 1.0 - 1e-9)
+    fprintf(out, "finds the target with probability %.6g\n", c.found);
   fprintf(out, "identity %s: robots of another one are not believed\n", identity_of(t).text);
   fprintf(out, "%s of %d-byte keys\n", counted(t->policy.records, "state").text, 4 * t->policy.board.keys.words);
-  report_routes(out, i->routes, &n, NULL);
+  report_routes(out, i->routes, &n, &i->units);
   fit_write(out, &i->fit);
 }
 
@@ -193,7 +215,8 @@ int command_inspect(int argc, char **argv) {
   if (products_check(&o, &why) != 0) return fault_exit(&why);
   fit_take(&i.fit, &i.t.policy);
   table_routes(&i.t, i.routes);
-  int status = print_report(&o, write_json, write_text, &i, &why);
+  int status = routes_measure_table(&i.units, i.routes, &i.t, &why);
+  if (status == 0) status = print_report(&o, write_json, write_text, &i, &why);
   if (status == 0) status = fit_check(&i.fit, o.input, &why);
   table_free(&i.t);
   return status == 0 ? EXIT_SUCCESS : fault_exit(&why);

@@ -77,7 +77,9 @@ static const char *find_end(enum qtr_learning learning, const options *o, uint64
 static int search(report *r, const options *o, fault *why) {
   progress shown;
   curve course;
-  if (curve_begin(&course, o->curve, why) != 0) return -1;
+  const problem *p = &learnt->p;
+  const double seconds = p->pace.stated ? p->pace.seconds_per_step : 0.0;
+  if (curve_begin(&course, o->curve, p->in.mission.aim.kind, seconds, why) != 0) return -1;
   progress_begin(&shown, o->quiet, o->time_limit, o->plan.learner.gap);
   while (r->ended == NULL) {
     const enum qtr_learning learning = study_step(learnt);

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "figures.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/stop.h"
@@ -69,6 +70,7 @@ static void write_visits(json *j, const simulation *s, const table *t, const opt
     naming_json_place(&n, j, s->visit[i].place);
     json_integer(j, "seeker", s->visit[i].seeker);
     json_integer(j, "step", s->visit[i].step);
+    figures_json_seconds(j, "seconds", s->visit[i].step, table_step_seconds(t));
     json_end_object(j);
   }
   json_end_array(j);
@@ -83,6 +85,7 @@ static void write_json(FILE *out, const void *what) {
   const simulation *s = &a->s;
   const table *t = &a->t;
   const options *o = a->o;
+  const double seconds = table_step_seconds(t);
   json j;
   json_begin(&j, out);
   json_object(&j, NULL);
@@ -93,6 +96,7 @@ static void write_json(FILE *out, const void *what) {
   write_visits(&j, s, t, o);
   json_number(&j, "value", s->value);
   json_number(&j, "expected_time", s->expected_time);
+  figures_json_seconds(&j, "expected_time_seconds", s->expected_time, seconds);
   json_natural(&j, "off_table", s->off_table);
   json_natural(&j, "duplicates", (uint64_t)s->duplicates);
   if (o->game.target != SIMULATION_NO_TARGET) {
@@ -101,8 +105,11 @@ static void write_json(FILE *out, const void *what) {
       json_natural(&j, "found_step", s->found_step);
     else
       json_null(&j, "found_step");
+    figures_json_seconds(&j, "found_seconds", s->found_step != QTR_NEVER ? (double)s->found_step : (double)NAN,
+                         seconds);
   }
   json_natural(&j, "end_step", s->end);
+  figures_json_seconds(&j, "end_seconds", s->end, seconds);
   json_natural(&j, "found_signals", s->found_signals);
   json_natural(&j, "territory_done_signals", s->done_signals);
   json_end_object(&j);
@@ -126,20 +133,25 @@ static void write_text(FILE *out, const void *what) {
   const table *t = &a->t;
   const options *o = a->o;
   const naming n = table_naming(t);
-  fprintf(out, "%s: %d of %s visited by step %" PRIu32 ", %d visited again, %s off the table\n", o->input, s->visits,
-          counted(t->policy.board.places, "place").text, s->end, s->duplicates, counted(s->off_table, "choice").text);
-  for (int i = 0; i < s->visits; i++)
-    fprintf(out, "  step %4" PRIu32 "  seeker %s  place %s\n", s->visit[i].step,
-            naming_seeker(&n, s->visit[i].seeker).text, naming_place(&n, s->visit[i].place).text);
+  const double seconds = table_step_seconds(t);
+  fprintf(out, "%s: %d of %s visited by %s, %d visited again, %s off the table\n", o->input, s->visits,
+          counted(t->policy.board.places, "place").text, figures_moment(s->end, seconds).text, s->duplicates,
+          counted(s->off_table, "choice").text);
+  for (int i = 0; i < s->visits; i++) {
+    fprintf(out, "  step %4" PRIu32, s->visit[i].step);
+    if (seconds > 0.0) fprintf(out, "  %8.6g s", s->visit[i].step * seconds);
+    fprintf(out, "  seeker %s  place %s\n", naming_seeker(&n, s->visit[i].seeker).text,
+            naming_place(&n, s->visit[i].place).text);
+  }
   for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
     if (!was_visited(s, o, place)) fprintf(out, "  place %s was not visited\n", naming_place(&n, (unsigned)place).text);
   if (s->found_step != QTR_NEVER)
-    fprintf(out, "target found at place %s, step %" PRIu32 "\n", naming_place(&n, (unsigned)o->game.target).text,
-            s->found_step);
+    fprintf(out, "target found at place %s, %s\n", naming_place(&n, (unsigned)o->game.target).text,
+            figures_moment(s->found_step, seconds).text);
   else if (isnan(s->expected_time))
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
-    fprintf(out, "discounted value %.6g, expected time %s\n", s->value, measured(s->expected_time, "step").text);
+    fprintf(out, "discounted value %.6g, expected time %s\n", s->value, figures_time(s->expected_time, seconds).text);
   write_off_table(out, s, o);
 }
 

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "commands.h"
+#include "figures.h"
 #include "host/base/clock.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
@@ -9,6 +10,7 @@
 #include "host/input/words.h"
 #include "host/plan/progress.h"
 #include "host/plan/study.h"
+#include "host/plan/terms.h"
 #include "prepare.h"
 #include "print.h"
 
@@ -88,10 +90,12 @@ static int pick_diameters(qtr_steps *diameters) {
   return picked;
 }
 
+/* Where the mission's terms take spots. */
 static void add_spot_tries(try like) {
   static const uint8_t sizes[] = {2, 3, 5, 8};
   static const double likelihoods[] = {0.0, 0.25, 1.0};
   qtr_steps diameters[DIAMETERS];
+  if (terms_leave_no_spots(&tuned->p.in.mission)) return;
   const int picked = pick_diameters(diameters);
   like.how.way = like.how.way == AGGREGATE_REGIONS ? AGGREGATE_BOTH : AGGREGATE_SPOTS;
   for (int size = 0; size < 4 && sizes[size] <= QTR_MAX_SPOT_SIZE; size++)
@@ -111,7 +115,7 @@ static void add_tries(const options *o) {
   aggregate_default(&plain.how);
   tries[count++] = plain;
   add_spot_tries(plain);
-  if (o->plan.learner.setting != QTR_SETTING_PAPER) return;
+  if (o->plan.learner.setting != QTR_SETTING_PAPER || terms_any(&tuned->p.in.mission)) return;
   static const uint32_t sizes[][2] = {{9, 6}, {25, 15}};
   for (int i = 0; i < 2; i++) {
     try like = plain;
@@ -183,6 +187,19 @@ static int learn_all(const options *o, fault *why) {
   return 0;
 }
 
+/* What the mission's terms leave nothing to try of. */
+static void note_left_out(const options *o) {
+  input *in = &tuned->p.in;
+  const int before = in->note.count;
+  if (terms_leave_no_spots(&in->mission))
+    notes_add(&in->note,
+              "%s: there are no spots with classes, looks, ready times, endurance or home_weight: none tried",
+              in->path);
+  if (o->plan.learner.setting == QTR_SETTING_PAPER && terms_any(&in->mission))
+    notes_add(&in->note, "%s: there are no regions with the field's terms: none tried", in->path);
+  notes_print(&in->note, before);
+}
+
 static int tune(const options *o, fault *why) {
   stop_after(o->time_limit);
   tuned = study_take(why);
@@ -190,6 +207,7 @@ static int tune(const options *o, fault *why) {
   tuned->measuring = true;
   if (prepare_problem(&tuned->p, o, why) != 0) return -1;
   add_tries(o);
+  note_left_out(o);
   if (prove(&o->plan, why) != 0 || learn_all(o, why) != 0) return -1;
   share_bound();
   int kept = 0;
@@ -273,16 +291,34 @@ static void write_worth_of_options(FILE *out) {
   }
 }
 
+/* A step's, where people are told of them; else 0. */
+static double told_seconds(void) {
+  return tuned->p.pace.stated ? tuned->p.pace.seconds_per_step : 0.0;
+}
+
+/* By what an objective's figure is multiplied to be in its own unit. */
+static double unit(void) {
+  return figures_unit(tuned->p.in.mission.aim.kind, told_seconds());
+}
+
+static void write_units(FILE *out) {
+  if (told_seconds() <= 0.0) return;
+  fprintf(out, "a step is %.6g s: %sdiameters are in steps, as the options take them\n", told_seconds(),
+          tuned->p.in.mission.aim.kind == QTR_TIME ? "figures are in seconds, " : "");
+}
+
 static void write_text(FILE *out, const void *what) {
   const options *o = what;
   fprintf(out, "%s: bound %.6g for any policy; certified learning on the true map: %.6g, %s\n", o->input,
-          tries[0].certificate.bound, proven.certificate.objective, counted(proven.entries, "Q entry").text);
+          unit() * tries[0].certificate.bound, unit() * proven.certificate.objective,
+          counted(proven.entries, "Q entry").text);
+  write_units(out);
   fprintf(out, "the best of %s, by what they earn on the ground:\n", counted((uint64_t)count, "try").text);
   fprintf(out, "      gap    objective   Q entries  targets  options\n");
   for (int i = 0; i < count && i < 10; i++) {
     const try *t = &tries[i];
-    fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap, t->certificate.objective,
-            t->entries, has_spots(t) ? t->spots : tuned->p.game.board.places);
+    fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap,
+            unit() * t->certificate.objective, t->entries, has_spots(t) ? t->spots : tuned->p.game.board.places);
     write_options(out, t);
     fputc('\n', out);
   }
@@ -297,9 +333,10 @@ static void write_json(FILE *out, const void *what) {
   json_object(&j, NULL);
   json_string(&j, "command", "tune");
   json_string(&j, "input", o->input);
-  json_number(&j, "objective_bound", tries[0].certificate.bound);
+  if (told_seconds() > 0.0) json_number(&j, "seconds_per_step", told_seconds());
+  json_number(&j, "objective_bound", unit() * tries[0].certificate.bound);
   json_flat_object(&j, "certified_setting");
-  json_number(&j, "objective_value", proven.certificate.objective);
+  json_number(&j, "objective_value", unit() * proven.certificate.objective);
   json_bool(&j, "certified", proven.certificate.certified);
   json_natural(&j, "episodes", proven.certificate.episodes);
   json_natural(&j, "q_entries", proven.entries);
@@ -311,7 +348,7 @@ static void write_json(FILE *out, const void *what) {
     const try *t = &tries[i];
     json_flat_object(&j, NULL);
     json_number(&j, "gap", t->certificate.gap);
-    json_number(&j, "objective_value", t->certificate.objective);
+    json_number(&j, "objective_value", unit() * t->certificate.objective);
     json_natural(&j, "q_entries", t->entries);
     json_natural(&j, "regions", t->regions);
     json_natural(&j, "spots", t->spots);
@@ -319,6 +356,7 @@ static void write_json(FILE *out, const void *what) {
     json_integer(&j, "region_diameter", has_regions(t) ? (int)t->how.regions.diameter : 0);
     json_integer(&j, "spot_size", has_spots(t) ? t->how.units.spots.size : 0);
     json_integer(&j, "spot_diameter", has_spots(t) ? t->how.units.spots.diameter : 0);
+    if (has_spots(t)) figures_json_seconds(&j, "spot_diameter_seconds", t->how.units.spots.diameter, told_seconds());
     json_string(&j, "spot_order", words_spot_order[t->how.units.spot_order]);
     json_number(&j, "spot_likelihood", t->how.units.spots.likelihood);
     json_end_object(&j);

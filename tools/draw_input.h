@@ -24,6 +24,7 @@ typedef struct {
   unsigned columns, rows;
   const uint8_t *cost; /* of each cell: 0 blocked, 1 free, more: slow ground */
   double cell_size;    /* metres a cell; 0: unknown */
+  double step_seconds; /* that a step takes; 0: unknown */
   bool turned;         /* the map against the map frame: rows and columns are no axes of that */
   double x, y;         /* of the outer corner of the bottom-left cell, metres in the map frame */
   bool reached_alone;  /* the map holds what can be reached, and nothing of the rest */

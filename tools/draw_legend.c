@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "draw_parts.h"
+#include "figures.h"
 #include "host/base/xml.h"
 
 enum { SEEKER_ROW = 24, LINE_ROW = 19, SIZES_ROW = 52, KEY_ROW = 28, GAP = 14 };
@@ -17,8 +18,8 @@ static void seeker_text(char text[SEEKER_TEXT], const drawing *d, int seeker) {
   else if (s->places == 0)
     snprintf(text, 80, "no place: stands down");
   else
-    snprintf(text, 80, "%d place%s, last at step %lu", s->places, s->places == 1 ? "" : "s",
-             (unsigned long)s->step[s->places - 1]);
+    snprintf(text, 80, "%d place%s, last at %.60s", s->places, s->places == 1 ? "" : "s",
+             figures_moment(s->step[s->places - 1], d->step_seconds).text);
 }
 
 static bool has_slow_ground(const drawing *d, int *slowest) {
@@ -159,7 +160,8 @@ static void draw_swatch(const draw_page *page, double y, int column, const char 
 
 static void draw_slow(const draw_page *page, double y, int slowest) {
   char text[60];
-  snprintf(text, sizeof text, "slow, up to %d steps a cell", slowest);
+  snprintf(text, sizeof text,
+           page->d->step_seconds > 0.0 ? "slow, up to %d times as long" : "slow, up to %d steps a cell", slowest);
   draw_swatch(page, y, 0, "url(#slow-key)");
   put_muted(page, page->legend_x + 32, y + 14.5, text, 60);
 }

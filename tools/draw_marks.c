@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "draw_parts.h"
+#include "figures.h"
 #include "host/base/xml.h"
 
 void draw_badge(const draw_page *page, int seeker, double x, double y, double size) {
@@ -57,8 +58,8 @@ static void draw_place(draw_page *page, int place) {
   xml_text(page->out, draw_place_label(d, place).text, QTR_SITE_NAME_BYTES);
   fprintf(page->out, ", likelihood %.4g", d->likelihood[place]);
   if (visitor >= 0)
-    fprintf(page->out, ", seeker %d, visit %d, step %lu", visitor, page->visit[place] + 1,
-            (unsigned long)d->seeker[visitor].step[page->visit[place]]);
+    fprintf(page->out, ", seeker %d, visit %d, %s", visitor, page->visit[place] + 1,
+            figures_moment(d->seeker[visitor].step[page->visit[place]], d->step_seconds).text);
   fprintf(page->out,
           "</title><circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.3\"/></g>\n",
           at.x, at.y, radius, wears < 0 ? page->theme->ground : draw_colour(page, colour, wears), page->theme->ink);

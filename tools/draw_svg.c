@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "draw_parts.h"
+#include "figures.h"
 #include "host/base/count.h"
 #include "host/base/xml.h"
 
@@ -95,7 +96,7 @@ static bool fits(const drawing *d) {
 static void describe_visit(const draw_page *page, const drawing_seeker *seeker, int visit) {
   fprintf(page->out, "%s place ", visit > 0 ? "," : "");
   xml_text(page->out, draw_place_label(page->d, seeker->place[visit]).text, QTR_SITE_NAME_BYTES);
-  fprintf(page->out, " at step %lu", (unsigned long)seeker->step[visit]);
+  fprintf(page->out, " at %s", figures_moment(seeker->step[visit], page->d->step_seconds).text);
 }
 
 static void describe(const draw_page *page) {

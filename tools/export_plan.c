@@ -17,7 +17,7 @@ static export_point point_at(const table *t, const waypoint *at) {
                     .latitude = NAN,
                     .longitude = NAN,
                     .step = at->step,
-                    .seconds = t->claim.step_time_us > 0 ? at->step * (t->claim.step_time_us / 1e6) : NAN,
+                    .seconds = table_step_seconds(t) > 0.0 ? at->step * table_step_seconds(t) : NAN,
                     .place = at->place};
   const double yaw = (double)t->geo.yaw / (double)QTR_GEO_ONE;
   p.east = cos(yaw) * p.x - sin(yaw) * p.y;

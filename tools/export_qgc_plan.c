@@ -27,16 +27,18 @@ static void put_item(json *j, const export_plan *plan, const export_point *p, si
   json_end_object(j);
 }
 
-/* Metres a second that the plan's times are for; 5, which QGroundControl takes, where it does not say. */
-static double speed_of(const table *t) {
+/* Metres a second that the robot's times are for; 5, which QGroundControl takes, where the table does not say. */
+static double speed_of(const table *t, int robot) {
   const qtr_frame frame = qtr_policy_frame(&t->policy);
-  return t->claim.step_time_us > 0 ? (double)frame.cell_size_um / t->claim.step_time_us : 5.0;
+  const double cell_us =
+      (double)t->claim.step_time_us * qtr_claim_cell_steps(&t->policy, t->policy.board.terms.class_of[robot]);
+  return cell_us > 0.0 ? frame.cell_size_um / cell_us : 5.0;
 }
 
 static void put_mission(json *j, const export_plan *plan, const export_way *w) {
   json_object(j, "mission");
-  json_number(j, "cruiseSpeed", speed_of(plan->t));
-  json_number(j, "hoverSpeed", speed_of(plan->t));
+  json_number(j, "cruiseSpeed", speed_of(plan->t, w->robot));
+  json_number(j, "hoverSpeed", speed_of(plan->t, w->robot));
   json_integer(j, "firmwareType", PX4);
   json_integer(j, "vehicleType", plan->altitude > 0.0 ? QUADROTOR : ROVER);
   json_integer(j, "globalPlanAltitudeMode", 1);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "figures.h"
 #include "host/base/count.h"
 #include "host/base/file.h"
 #include "host/base/outfile.h"
@@ -29,6 +30,17 @@ int replan_begin(replan *c, const char *path, const char *output, fault *why) {
   c->expected_time = table_certificate_of(&c->t.policy).expected_time;
   c->expected_seconds = c->expected_time * (c->t.claim.step_time_us > 0 ? c->t.claim.step_time_us / 1e6 : 1.0);
   return 0;
+}
+
+/* A mission has no looks of its own: of a table's, the first of a place stands for it. */
+static bool is_first_look(const naming *n, int place) {
+  return naming_look(n, (unsigned)place) == 1;
+}
+
+static int count_places(const naming *n) {
+  int count = 0;
+  for (int place = 0; place < n->places; place++) count += is_first_look(n, place);
+  return count;
 }
 
 /* ---- who goes where ---- */
@@ -62,7 +74,7 @@ static bool passes_on(pair *robots, const replan *c, const naming *n, const tabl
 static bool is_same(const replan *c, const naming *n, const table_route *routes, double seconds) {
   const naming before = table_naming(&c->t);
   pair robots;
-  bool same = fabs(seconds - c->expected_seconds) <= 1e-6 * c->expected_seconds && before.places == n->places;
+  bool same = fabs(seconds - c->expected_seconds) <= 1e-6 * c->expected_seconds && count_places(&before) == n->places;
   for (int place = 0; place < n->places && same; place++)
     same = naming_same_place(n, place, &before) != NOBODY && !passes_on(&robots, c, n, routes, place);
   return same;
@@ -73,7 +85,7 @@ static bool is_same(const replan *c, const naming *n, const table_route *routes,
 static void write_absent(FILE *out, const char *what, const naming *n, const naming *in) {
   int count = 0;
   for (int place = 0; place < n->places; place++)
-    if (naming_same_place(n, place, in) == NOBODY)
+    if (is_first_look(n, place) && naming_same_place(n, place, in) == NOBODY)
       fprintf(out, "%s%s", count++ == 0 ? what : ", ", naming_place(n, (unsigned)place).text);
   if (count > 0) fputc('\n', out);
 }
@@ -114,7 +126,7 @@ static void write_place(json *j, const naming *n, int place) {
 static void json_absent(json *j, const char *key, const naming *n, const naming *in) {
   json_array(j, key);
   for (int place = 0; place < n->places; place++) {
-    if (naming_same_place(n, place, in) != NOBODY) continue;
+    if (!is_first_look(n, place) || naming_same_place(n, place, in) != NOBODY) continue;
     write_place(j, n, place);
     json_end_object(j);
   }
@@ -128,6 +140,7 @@ void replan_json(json *j, const replan *c, const naming *n, const table_route *r
   json_object(j, "against");
   json_string(j, "file", c->path);
   json_number(j, "expected_time", c->expected_time);
+  figures_json_seconds(j, "expected_time_seconds", c->expected_time, table_step_seconds(&c->t));
   json_absent(j, "gone", &before, n);
   json_absent(j, "new", n, &before);
   json_array(j, "another_robot");

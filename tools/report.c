@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 
+#include "figures.h"
 #include "host/base/count.h"
 #include "host/base/json.h"
 #include "host/base/stop.h"
@@ -10,9 +11,11 @@
 #include "print.h"
 
 static void write_units(json *j, const table_route *route, const route_units *units, int seeker) {
-  json_array(j, "seconds");
-  for (int i = 0; i < route->places; i++) json_number(j, NULL, route->step[i] * units->seconds_per_step);
-  json_end_array(j);
+  if (units->seconds_per_step > 0.0) {
+    json_array(j, "seconds");
+    for (int i = 0; i < route->places; i++) json_number(j, NULL, route->step[i] * units->seconds_per_step);
+    json_end_array(j);
+  }
   if (units->metric) {
     json_array(j, "metres");
     for (int i = 0; i < route->places; i++) json_number(j, NULL, units->metres[seeker][i]);
@@ -45,7 +48,7 @@ void report_json_routes(json *j, const table_route *routes, const naming *n, con
     json_integer(j, "seeker", seeker);
     naming_json_seeker(n, j, (unsigned)seeker);
     write_route(j, &routes[seeker], n);
-    if (units != NULL) write_units(j, &routes[seeker], units, seeker);
+    write_units(j, &routes[seeker], units, seeker);
     json_end_object(j);
   }
   json_end_array(j);
@@ -53,7 +56,12 @@ void report_json_routes(json *j, const table_route *routes, const naming *n, con
 
 /* Units of the objective's figure in a step: expected time is told in seconds, where steps have any. */
 static double objective_unit(const report *r) {
-  return r->p->in.mission.aim.kind == QTR_TIME ? r->p->pace.seconds_per_step : 1.0;
+  return figures_unit(r->p->in.mission.aim.kind, r->p->pace.seconds_per_step);
+}
+
+/* Of a step, where people are told of them; else 0. */
+static double told_seconds(const report *r) {
+  return r->p->pace.stated ? r->p->pace.seconds_per_step : 0.0;
 }
 
 static void write_certificate(json *j, const report *r) {
@@ -62,6 +70,7 @@ static void write_certificate(json *j, const report *r) {
   json_number(j, "travel_rounding", r->p->pace.rounding);
   json_number(j, "value", c->value);
   json_number(j, "expected_time", c->expected_time);
+  figures_json_seconds(j, "expected_time_seconds", c->expected_time, told_seconds(r));
   json_number(j, "found_probability", c->found);
   json_number(j, "objective_value", objective_unit(r) * c->objective);
   json_number(j, "objective_bound", objective_unit(r) * c->bound);
@@ -146,24 +155,18 @@ void report_routes(FILE *out, const table_route *route, const naming *n, const r
     fprintf(out, "  seeker %s:", naming_seeker(n, (unsigned)seeker).text);
     if (route[seeker].places == 0) fprintf(out, " stays at its start");
     for (int i = 0; i < route[seeker].places; i++) {
-      fprintf(out, "%s %s (step %" PRIu32, i > 0 ? " ->" : "", naming_place(n, route[seeker].place[i]).text,
-              route[seeker].step[i]);
-      if (units != NULL && units->seconds) fprintf(out, ", %.6g s", route[seeker].step[i] * units->seconds_per_step);
-      fputc(')', out);
+      fprintf(out, "%s %s (%s)", i > 0 ? " ->" : "", naming_place(n, route[seeker].place[i]).text,
+              figures_moment(route[seeker].step[i], units->seconds ? units->seconds_per_step : 0.0).text);
     }
+    if (units->seconds && units->metric && route[seeker].places > 0)
+      fprintf(out, "; %.6g m", units->metres[seeker][route[seeker].places - 1]);
     fputc('\n', out);
   }
 }
 
-/* "expected time 12.5 steps", or "6.25 s" */
-static void write_figure(FILE *out, uint8_t objective, double figure, const pace *p) {
-  const qtr_objective_words *words = qtr_objective_in_words(objective);
-  if (words->unit != NULL && p->stated)
-    fprintf(out, "%s %.6g s", words->figure, figure * p->seconds_per_step);
-  else if (words->unit != NULL)
-    fprintf(out, "%s %s", words->figure, measured(figure, words->unit).text);
-  else
-    fprintf(out, "%s %.6g", words->figure, figure);
+/* "expected time 12.5 steps" */
+static void write_figure(FILE *out, uint8_t objective, double figure, double step_seconds) {
+  fprintf(out, "%s %s", qtr_objective_in_words(objective)->figure, figures_told(objective, figure, step_seconds).text);
 }
 
 /* The objective's figure and its bound, and another one beside it. */
@@ -171,9 +174,9 @@ static void write_figures(FILE *out, uint8_t objective, const report *r) {
   const qtr_certificate *c = &r->certificate;
   const uint8_t beside = qtr_objective_in_words(objective)->beside;
   const qtr_score score = {.value = c->value, .expected_time = c->expected_time, .found = c->found};
-  write_figure(out, objective, c->objective, &r->p->pace);
+  write_figure(out, objective, c->objective, told_seconds(r));
   fprintf(out, ", bound %.6g (", objective_unit(r) * c->bound);
-  write_figure(out, beside, qtr_objective_figure(beside, qtr_objective_of_score(beside, &score)), &r->p->pace);
+  write_figure(out, beside, qtr_objective_figure(beside, qtr_objective_of_score(beside, &score)), told_seconds(r));
   fputs(")\n", out);
 }
 

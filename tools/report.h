@@ -40,7 +40,7 @@ typedef struct {
 int report_write(const report *r, fault *why);
 
 /* The routes as JSON, by the input's numbers, with the names beside them; and as text, "seeker 0: 3 (step 7) -> Bay 5
- * (12)", a line each. `units` NULL: steps alone. */
+ * (12)", a line each, in seconds and metres where the units have them. */
 void report_json_routes(json *j, const table_route *routes, const naming *n, const route_units *units);
 void report_routes(FILE *out, const table_route *route, const naming *n, const route_units *units);
 

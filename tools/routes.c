@@ -1,5 +1,6 @@
 #include "routes.h"
 
+#include "host/table/way.h"
 #include "quarter/travel.h"
 
 void routes_to_mission(table_route *routes, const qtr_game *game) {
@@ -63,6 +64,47 @@ void routes_measure(route_units *units, const table_route *routes, problem *p) {
       units->look[seeker][i] = (uint8_t)(count_looks(routes, mission->seekers, seeker, i) + 1u);
     if (units->metric) measure_metres(units, &routes[seeker], p, seeker);
   }
+}
+
+/* A way from one place to the next is a shortest one: it enters the next one's cell once, at its end. */
+static int measure_way(route_units *units, const table_route *route, const table *t, int seeker, fault *why) {
+  const double side = qtr_policy_frame(&t->policy).cell_size_um / 1e6;
+  way walked;
+  size_t at = 0, cells = 0;
+  if (way_walk(&walked, t, seeker, route, why) != 0) return -1;
+  for (int i = 0; i < route->places; i++) {
+    const qtr_cell goal = qtr_policy_cell(&t->policy, route->place[i]);
+    for (; walked.at[at].cell != goal; at++) cells += walked.at[at + 1].cell != walked.at[at].cell;
+    units->metres[seeker][i] = (double)cells * side;
+  }
+  way_free(&walked);
+  return 0;
+}
+
+static void measure_looks(route_units *units, const table_route *routes, const table *t) {
+  static table_route own[QTR_MAX_SEEKERS]; /* with the place in place of a look at it */
+  const int seekers = t->policy.board.seekers;
+  units->looks = false;
+  for (int seeker = 0; seeker < seekers; seeker++) {
+    own[seeker] = routes[seeker];
+    for (int i = 0; i < own[seeker].places; i++)
+      own[seeker].place[i] = (uint16_t)qtr_policy_place(&t->policy, routes[seeker].place[i]);
+  }
+  for (unsigned place = 0; place < t->policy.board.places; place++)
+    units->looks = units->looks || qtr_policy_place(&t->policy, place) != place;
+  for (int seeker = 0; seeker < seekers; seeker++)
+    for (int i = 0; i < own[seeker].places; i++)
+      units->look[seeker][i] = (uint8_t)(count_looks(own, seekers, seeker, i) + 1u);
+}
+
+int routes_measure_table(route_units *units, const table_route *routes, const table *t, fault *why) {
+  units->seconds_per_step = table_step_seconds(t);
+  units->seconds = units->seconds_per_step > 0.0;
+  units->metric = qtr_policy_frame(&t->policy).cell_size_um > 0;
+  measure_looks(units, routes, t);
+  for (int seeker = 0; seeker < t->policy.board.seekers; seeker++)
+    if (units->metric && measure_way(units, &routes[seeker], t, seeker, why) != 0) return -1;
+  return 0;
 }
 
 int routes_left_out(uint16_t *places, const table_route *routes, const qtr_mission *mission) {

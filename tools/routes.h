@@ -25,6 +25,9 @@ void routes_to_mission(table_route *routes, const qtr_game *game);
 /* All that is told of routes whose places are the mission's. The problem's travel times are scratch. */
 void routes_measure(route_units *units, const table_route *routes, problem *p);
 
+/* The same of a table's routes. 0, or -1 with *why set. */
+int routes_measure_table(route_units *units, const table_route *routes, const table *t, fault *why);
+
 /* The mission's places that are on no route. Their number. */
 int routes_left_out(uint16_t *places, const table_route *routes, const qtr_mission *mission);
 

@@ -23,11 +23,15 @@ static unsigned looked_at(const naming *n, unsigned place) {
 naming_label naming_place(const naming *n, unsigned place) {
   const unsigned of = looked_at(n, place);
   naming_label label = label_of(n->names->place[of], n->number[of]);
-  unsigned look = 1;
-  for (unsigned before = 0; before < place; before++) look += looked_at(n, before) == of;
   const size_t length = strlen(label.text);
-  if (of != place) snprintf(label.text + length, sizeof label.text - length, " (look %u)", look);
+  if (of != place) snprintf(label.text + length, sizeof label.text - length, " (look %u)", naming_look(n, place));
   return label;
+}
+
+unsigned naming_look(const naming *n, unsigned place) {
+  unsigned look = 1;
+  for (unsigned before = 0; before < place; before++) look += looked_at(n, before) == looked_at(n, place);
+  return look;
 }
 
 naming_label naming_seeker(const naming *n, unsigned seeker) {
@@ -105,11 +109,14 @@ int naming_list_places(qtr_places *places, const naming *n, const char *list, ch
 }
 
 int naming_same_place(const naming *n, int place, const naming *other) {
-  const char *name = n->names->place[place];
+  const unsigned at = looked_at(n, (unsigned)place);
+  const char *name = n->names->place[at];
   for (int i = 0; i < other->places; i++) {
-    const char *its = other->names->place[i];
+    const unsigned its_at = looked_at(other, (unsigned)i);
+    const char *its = other->names->place[its_at];
     const bool nameless = name[0] == '\0' && its[0] == '\0';
-    if (nameless ? other->number[i] == n->number[place] : strcmp(name, its) == 0) return i;
+    if (nameless ? other->number[its_at] != n->number[at] : strcmp(name, its) != 0) continue;
+    if (naming_look(other, (unsigned)i) == naming_look(n, (unsigned)place)) return i;
   }
   return -1;
 }
@@ -123,7 +130,9 @@ bool naming_has_places(const naming *n) {
 }
 
 void naming_json_place(const naming *n, json *j, unsigned place) {
-  if (n->names->place[place][0] != '\0') json_string(j, "name", n->names->place[place]);
+  const char *name = n->names->place[looked_at(n, place)];
+  if (name[0] != '\0') json_string(j, "name", name);
+  if (looked_at(n, place) != place) json_natural(j, "look", naming_look(n, place));
 }
 
 void naming_json_seeker(const naming *n, json *j, unsigned seeker) {

@@ -25,6 +25,9 @@ typedef struct {
 naming_label naming_place(const naming *n, unsigned place);
 naming_label naming_seeker(const naming *n, unsigned seeker);
 
+/* Which of the looks at its place it is, from 1. */
+unsigned naming_look(const naming *n, unsigned place);
+
 /* The place, or the seeker, that a word names: by its name, or else by its number. -1, with what is wrong written into
  * wrong[FAULT_LINE], where there is none. */
 int naming_find_place(const naming *n, const char *word, char *wrong);
@@ -34,13 +37,13 @@ int naming_find_seeker(const naming *n, const char *word, char *wrong);
 int naming_list_places(qtr_places *places, const naming *n, const char *list, char *wrong);
 
 /* The place of another mission or table that is this one: that of its name, or, where neither has a name, that of its
- * number. -1: none is. */
+ * number; a later look the same look at it. -1: none is. */
 int naming_same_place(const naming *n, int place, const naming *other);
 
 /* Whether any place has a name. */
 bool naming_has_places(const naming *n);
 
-/* The member "name", of a place or a seeker that has one. */
+/* The member "name", of a place or a seeker that has one; and "look", of a later look at a place. */
 void naming_json_place(const naming *n, json *j, unsigned place);
 void naming_json_seeker(const naming *n, json *j, unsigned seeker);
 

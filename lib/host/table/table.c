@@ -81,6 +81,15 @@ table_name table_place_name(const table *t, unsigned place) {
   return name_of(t->names.place[at], "place", t->number[at]);
 }
 
+table_name table_look_name(const table *t, unsigned place) {
+  const naming n = table_naming(t);
+  table_name own = table_place_name(t, place);
+  const size_t length = strlen(own.text);
+  if (qtr_policy_place(&t->policy, place) != place)
+    snprintf(own.text + length, sizeof own.text - length, " (look %u)", naming_look(&n, place));
+  return own;
+}
+
 table_name table_robot_name(const table *t, int robot) {
   return name_of(t->names.seeker[robot], "robot", (unsigned)robot);
 }
@@ -98,6 +107,10 @@ qtr_cell table_cell(const table *t, int column, int row) {
   const int here = column - t->claim.left, down = row - t->claim.top;
   if (here < 0 || down < 0 || here >= grid->columns || down >= grid->rows) return QTR_NO_CELL;
   return (qtr_cell)(down * grid->columns + here);
+}
+
+double table_step_seconds(const table *t) {
+  return t->claim.step_time_us / 1e6;
 }
 
 double table_probability(const table *t, unsigned place) {

@@ -43,12 +43,14 @@ int table_add_names(file_bytes *bytes, const qtr_names *names, const qtr_geo *ge
 /* What places and seekers are called. */
 naming table_naming(const table *t);
 
-/* What a place and a robot are called where nothing around says what they are: "Bay 3", or "place 5". */
+/* What a place and a robot are called where nothing around says what they are: "Bay 3", or "place 5"; and a later look
+ * at a place, "Bay 3 (look 2)". */
 typedef struct {
-  char text[QTR_SITE_NAME_BYTES];
+  char text[QTR_SITE_NAME_BYTES + 16];
 } table_name;
 
 table_name table_place_name(const table *t, unsigned place);
+table_name table_look_name(const table *t, unsigned place);
 table_name table_robot_name(const table *t, int robot);
 
 /* Column and row of one of the table's cells on the map that it was learnt on, of which it holds a part; and the cell
@@ -56,6 +58,9 @@ table_name table_robot_name(const table *t, int robot);
 unsigned table_column(const table *t, qtr_cell cell);
 unsigned table_row(const table *t, qtr_cell cell);
 qtr_cell table_cell(const table *t, int column, int row);
+
+/* Seconds that a step takes; 0: the table does not say. */
+double table_step_seconds(const table *t);
 
 /* A place's likelihood, as exactly as the table holds it. */
 double table_probability(const table *t, unsigned place);

@@ -12,6 +12,11 @@ static int walk_to(way *w, const table *t, const qtr_field *field, const qtr_gri
                    unsigned place, size_t room) {
   const qtr_cell goal = qtr_policy_cell(&t->policy, place);
   waypoint here = w->at[w->count - 1];
+  /* Another look at where it is. */
+  if (here.cell == goal && here.place != WAY_NO_PLACE) {
+    if (w->count == room) return -1;
+    w->at[w->count++] = here;
+  }
   while (here.cell != goal) {
     here.cell = qtr_field_next(field, grid, here.cell);
     if (here.cell == QTR_NO_CELL || w->count == room) return -1;
@@ -23,12 +28,13 @@ static int walk_to(way *w, const table *t, const qtr_field *field, const qtr_gri
   return 0;
 }
 
-/* Entering a cell takes a step at least, so a way has no more cells than its last visit has steps, and the start. */
+/* Entering a cell takes a step at least, so a way has no more cells than its last visit has steps, and the start.
+ * Places may share a cell, though. */
 static int walk(way *w, const table *t, qtr_field *field, int seeker, const table_route *route, fault *why) {
   const qtr_board *board = &t->policy.board;
   const qtr_grid grid = qtr_policy_ground(&t->policy, (unsigned)seeker);
   const uint32_t cell_steps = qtr_claim_cell_steps(&t->policy, board->terms.class_of[seeker]);
-  const size_t room = 1u + (route->places > 0 ? route->step[route->places - 1] : 0u);
+  const size_t room = 1u + (unsigned)route->places + (route->places > 0 ? route->step[route->places - 1] : 0u);
   w->at = malloc(room * sizeof *w->at);
   if (w->at == NULL) return fault_set(why, "no memory for the way of seeker %d", seeker);
   const unsigned start = (unsigned)board->places + board->start_of[seeker];

@@ -19,7 +19,8 @@ typedef struct {
   size_t count; /* 1 or more: the start is the first */
 } way;
 
-/* Every cell that a seeker enters on its route, one after another. 0 with *w to be freed, or -1 with *why set. */
+/* Every cell that a seeker enters on its route, one after another, and where it visits several places of one cell, or
+ * looks again, that cell once for each. 0 with *w to be freed, or -1 with *why set. */
 int way_walk(way *w, const table *t, int seeker, const table_route *route, fault *why);
 
 /* Leave the start, the places and the corners: from one of them to the next the robot goes straight along a row or a
