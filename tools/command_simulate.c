@@ -11,6 +11,7 @@
 #include "print.h"
 #include "products.h"
 #include "quarter/status.h"
+#include "relearn.h"
 
 static const char intro[] =
     "quarter simulate mission.qtr                       robots walk the grid, each by its own copy of the table\n"
@@ -46,6 +47,8 @@ typedef struct {
   table t;
   qtr_deployment deployment;
   options *o;
+  bool weighed; /* what learning anew would bring */
+  relearnt anew;
 } account;
 
 static bool was_visited(const simulation *s, const options *o, int place) {
@@ -98,6 +101,7 @@ static void write_json(FILE *out, const void *what) {
   json_number(&j, "expected_time", s->expected_time);
   figures_json_seconds(&j, "expected_time_seconds", s->expected_time, seconds);
   json_natural(&j, "off_table", s->off_table);
+  if (a->weighed) relearn_json(&j, &a->anew);
   json_natural(&j, "duplicates", (uint64_t)s->duplicates);
   if (o->game.target != SIMULATION_NO_TARGET) {
     json_integer(&j, "target", t->number[o->game.target]);
@@ -116,12 +120,17 @@ static void write_json(FILE *out, const void *what) {
 }
 
 /* Robots that meet states which nobody learnt go by their rule: no certificate covers that. */
-static void write_off_table(FILE *out, const simulation *s, const options *o) {
-  if (s->off_table == 0 || o->plan.reading.clears == 0) return;
-  fputs("the table was not learnt for these places cleared, and where it has no answer robots go by their rule; a plan "
-        "of "
-        "the\nrest is certified: quarter learn MISSION --clear",
+static bool is_off_table(const account *a) {
+  return a->s.off_table > 0 && a->o->plan.reading.clears > 0;
+}
+
+static void write_off_table(FILE *out, const account *a) {
+  const options *o = a->o;
+  if (!is_off_table(a)) return;
+  fputs("the table was not learnt for these places cleared, and where it has no answer robots go by their rule:\n",
         out);
+  if (a->weighed) relearn_write(out, &a->anew);
+  fputs("a plan of the rest is certified: quarter learn MISSION --clear", out);
   for (int i = 0; i < o->plan.reading.clears; i++)
     fprintf(out, "%s'%s'", i > 0 ? " --clear " : " ", o->plan.reading.clear[i]);
   fputc('\n', out);
@@ -152,7 +161,7 @@ static void write_text(FILE *out, const void *what) {
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
     fprintf(out, "discounted value %.6g, expected time %s\n", s->value, figures_time(s->expected_time, seconds).text);
-  write_off_table(out, s, o);
+  write_off_table(out, a);
 }
 
 /* The cells that the options put the seekers on. */
@@ -188,11 +197,19 @@ static int meant_seekers(int *seeker, const char *option, const char *word, cons
   return *seeker >= 0 ? 0 : fault_set(why, "--%s: %s", option, wrong);
 }
 
+/* Who clears a place clears all looks at it. */
+static void clear_looks(qtr_places *clear, const naming *n) {
+  for (int place = 0; place < n->places; place++)
+    for (int look = place + 1; look < n->places && qtr_places_has(clear, (unsigned)place); look++)
+      if (naming_looked_at(n, (unsigned)look) == (unsigned)place) qtr_places_add(clear, (unsigned)look);
+}
+
 static int meant_places(options *o, const naming *n, fault *why) {
   char wrong[FAULT_LINE];
   for (int i = 0; i < o->plan.reading.clears; i++)
     if (naming_list_places(&o->game.clear, n, o->plan.reading.clear[i], wrong) != 0)
       return fault_set(why, "--clear: %s", wrong);
+  clear_looks(&o->game.clear, n);
   if (o->target == NULL) return 0;
   o->game.target = naming_find_place(n, o->target, wrong);
   return o->game.target >= 0 ? 0 : fault_set(why, "--target: %s", wrong);
@@ -211,6 +228,9 @@ static int find_meant(options *o, const table *t, fault *why) {
 static int simulate(account *a, fault *why) {
   if (products_check(a->o, why) != 0 || find_meant(a->o, &a->t, why) != 0 || deploy(a, why) != 0) return -1;
   if (simulation_run(&a->s, &a->t, &a->deployment, &a->o->game, why) != 0) return -1;
+  fault unused;
+  a->weighed = is_off_table(a) && relearn(&a->anew, &a->t, &a->deployment, &a->o->game, &unused) == 0;
+  stop_at_once();
   return print_report(a->o, write_json, write_text, a, why);
 }
 

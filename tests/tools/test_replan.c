@@ -67,6 +67,28 @@ static void test_a_game_off_the_table_says_so_and_what_helps(void) {
   TEST_ASSERT_NULL_MESSAGE(strstr(r.out, "quarter learn"), r.out);
 }
 
+/* What learning anew would bring is what it brings. */
+static void test_a_game_off_the_table_tells_what_the_rest_learnt_anew_is_worth(void) {
+  static const char *const objectives[] = {"time", "discounted"};
+  for (int i = 0; i < 2; i++) {
+    char words[100];
+    snprintf(words, sizeof words, "learn replan.yaml --objective %s -q -o plan.qtr", objectives[i]);
+    run_well(words);
+    snprintf(words, sizeof words, "learn replan.yaml --objective %s --clear Near --json", objectives[i]);
+    run_well(words);
+    const double worth = json_value(r.out, "objective_value"), time = json_value(r.out, "expected_time");
+    run_well("simulate plan.qtr --clear Near --json");
+    const char *rule = json_text(r.out, "by_rule"), *anew = json_text(r.out, "learnt_anew");
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5 * worth, worth, json_value(anew, "objective_value"));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5 * time, time, json_value(anew, "expected_time"));
+    TEST_ASSERT_DOUBLE_WITHIN(1e-5 * time, json_value(r.out, "expected_time"), json_value(rule, "expected_time"));
+    TEST_ASSERT_TRUE(json_is(anew, "certified", "true"));
+    run_well("simulate plan.qtr --clear Near");
+    expect_out(" by their rule, ");
+    expect_out(" learnt anew");
+  }
+}
+
 static void test_a_plan_is_compared_with_any_other(void) {
   run_well("learn replan.yaml -q -o plan.qtr");
   run_well("learn rest.yaml --against plan.qtr --json");
@@ -84,6 +106,7 @@ int main(void) {
   RUN_TEST(test_what_changes_is_told_when_a_plan_is_replaced);
   RUN_TEST(test_a_plan_that_cannot_be_read_is_replaced_without_a_word);
   RUN_TEST(test_a_game_off_the_table_says_so_and_what_helps);
+  RUN_TEST(test_a_game_off_the_table_tells_what_the_rest_learnt_anew_is_worth);
   RUN_TEST(test_a_plan_is_compared_with_any_other);
   return UNITY_END();
 }

@@ -127,6 +127,18 @@ static void test_later_looks_are_no_places_that_are_gone(void) {
   TEST_ASSERT_NULL_MESSAGE(strstr(r.out, "against"), r.out);
 }
 
+/* Classes, scans, looks and ready times are in the table: what is left is learnt with all of them. */
+static void test_the_rest_of_a_table_with_terms_is_weighed(void) {
+  run_tool(&r, "learn m.yaml --objective time --clear 2 --json");
+  const double seconds = json_value(r.out, "objective_value");
+  run_tool(&r, "simulate m.qtr --clear 2 --json");
+  TEST_ASSERT_DOUBLE_WITHIN(1e-4, seconds, json_value(json_text(r.out, "learnt_anew"), "objective_value"));
+  run_tool(&r, "simulate m.qtr --clear Bay");
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "3 of 5 places visited"), r.out); /* both looks at Bay are cleared */
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, " s by their rule, "), r.out);
+  TEST_ASSERT_EQUAL_INT(0, r.status);
+}
+
 /* To the byte as before there were any. */
 static void test_without_a_speed_there_are_no_seconds(void) {
   static const char *const commands[] = {"inspect plain.qtr", "simulate plain.qtr", "compare plain.qtr plain.qtr",
@@ -155,6 +167,7 @@ int main(void) {
   RUN_TEST(test_tune_tries_what_the_terms_leave);
   RUN_TEST(test_each_look_is_a_waypoint);
   RUN_TEST(test_later_looks_are_no_places_that_are_gone);
+  RUN_TEST(test_the_rest_of_a_table_with_terms_is_weighed);
   RUN_TEST(test_without_a_speed_there_are_no_seconds);
   return UNITY_END();
 }

@@ -16,12 +16,12 @@ static naming_label label_of(const char *name, unsigned number) {
   return label;
 }
 
-static unsigned looked_at(const naming *n, unsigned place) {
+unsigned naming_looked_at(const naming *n, unsigned place) {
   return n->look_of == NULL ? place : n->look_of[2 * place] | (unsigned)n->look_of[2 * place + 1] << 8;
 }
 
 naming_label naming_place(const naming *n, unsigned place) {
-  const unsigned of = looked_at(n, place);
+  const unsigned of = naming_looked_at(n, place);
   naming_label label = label_of(n->names->place[of], n->number[of]);
   const size_t length = strlen(label.text);
   if (of != place) snprintf(label.text + length, sizeof label.text - length, " (look %u)", naming_look(n, place));
@@ -30,7 +30,7 @@ naming_label naming_place(const naming *n, unsigned place) {
 
 unsigned naming_look(const naming *n, unsigned place) {
   unsigned look = 1;
-  for (unsigned before = 0; before < place; before++) look += looked_at(n, before) == looked_at(n, place);
+  for (unsigned before = 0; before < place; before++) look += naming_looked_at(n, before) == naming_looked_at(n, place);
   return look;
 }
 
@@ -109,10 +109,10 @@ int naming_list_places(qtr_places *places, const naming *n, const char *list, ch
 }
 
 int naming_same_place(const naming *n, int place, const naming *other) {
-  const unsigned at = looked_at(n, (unsigned)place);
+  const unsigned at = naming_looked_at(n, (unsigned)place);
   const char *name = n->names->place[at];
   for (int i = 0; i < other->places; i++) {
-    const unsigned its_at = looked_at(other, (unsigned)i);
+    const unsigned its_at = naming_looked_at(other, (unsigned)i);
     const char *its = other->names->place[its_at];
     const bool nameless = name[0] == '\0' && its[0] == '\0';
     if (nameless ? other->number[its_at] != n->number[at] : strcmp(name, its) != 0) continue;
@@ -130,9 +130,9 @@ bool naming_has_places(const naming *n) {
 }
 
 void naming_json_place(const naming *n, json *j, unsigned place) {
-  const char *name = n->names->place[looked_at(n, place)];
+  const char *name = n->names->place[naming_looked_at(n, place)];
   if (name[0] != '\0') json_string(j, "name", name);
-  if (looked_at(n, place) != place) json_natural(j, "look", naming_look(n, place));
+  if (naming_looked_at(n, place) != place) json_natural(j, "look", naming_look(n, place));
 }
 
 void naming_json_seeker(const naming *n, json *j, unsigned seeker) {

@@ -25,7 +25,8 @@ typedef struct {
 naming_label naming_place(const naming *n, unsigned place);
 naming_label naming_seeker(const naming *n, unsigned seeker);
 
-/* Which of the looks at its place it is, from 1. */
+/* The place that one is a look at, itself for a first one; and which of the looks at it, from 1. */
+unsigned naming_looked_at(const naming *n, unsigned place);
 unsigned naming_look(const naming *n, unsigned place);
 
 /* The place, or the seeker, that a word names: by its name, or else by its number. -1, with what is wrong written into
