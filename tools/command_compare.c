@@ -242,7 +242,7 @@ static void write_figures(FILE *out, const comparison *c) {
   put_row(out, c, "", told_size(a).text, told_size(b).text);
 }
 
-#define VISIT_BYTES (sizeof(table_name) + sizeof(count_text) + 2)
+#define VISIT_BYTES (sizeof(table_name) + sizeof(count_text) + 32)
 
 /* "seeker Alpha, step 12", "seeker Alpha, step 12, 6 s" */
 static void tell_visit(char *text, size_t size, const side *s, int place) {
@@ -251,8 +251,8 @@ static void tell_visit(char *text, size_t size, const side *s, int place) {
   else if (s->visitor[place] == NOBODY)
     snprintf(text, size, "nobody");
   else
-    snprintf(text, size, "%s, %s", table_robot_name(&s->t, s->visitor[place]).text,
-             figures_moment(s->step[place], s->seconds).text);
+    snprintf(text, size, "%s, %s%s", table_robot_name(&s->t, s->visitor[place]).text,
+             figures_moment(s->step[place], s->seconds).text, figures_late(table_is_late(&s->t, s->step[place])));
 }
 
 static void write_visit(FILE *out, const comparison *c, int place, int other) {

@@ -201,6 +201,7 @@ static int from_table(sheet *s, const table *t, fault *why) {
   const qtr_frame frame = qtr_policy_frame(policy);
   s->d.cell_size = frame.cell_size_um / 1e6;
   s->d.step_seconds = table_step_seconds(t);
+  s->d.deadline = t->claim.deadline;
   s->d.turned = frame.sine != 0 || frame.cosine < 0;
   table_map_origin(t, &s->d.x, &s->d.y);
   s->d.reached_alone = true;

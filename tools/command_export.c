@@ -204,6 +204,12 @@ static void write_json(FILE *out, const void *what) {
   json_end_object(&j);
 }
 
+static int count_late(const export_way *way) {
+  int count = 0;
+  for (size_t i = 0; i < way->count; i++) count += way->point[i].place != WAY_NO_PLACE && way->point[i].late;
+  return count;
+}
+
 static void write_text(FILE *out, const void *what) {
   const work *w = what;
   for (int i = 0; i < w->plan.ways; i++) {
@@ -211,6 +217,7 @@ static void write_text(FILE *out, const void *what) {
     fprintf(out, "  %s: %s, %s, %s", table_robot_name(&w->t, way->robot).text, counted(way->count, "waypoint").text,
             counted((uint64_t)way->places, "place").text, counted(last_of(way)->step, "step").text);
     if (table_step_seconds(&w->t) > 0.0) fprintf(out, ", %.6g s", last_of(way)->seconds);
+    if (count_late(way) > 0) fprintf(out, "; %s after the deadline", counted((uint64_t)count_late(way), "place").text);
     fputc('\n', out);
   }
   for (int i = 0; i < w->files; i++) fprintf(out, "wrote %s\n", w->path[i]);

@@ -100,6 +100,7 @@ static void write_json(FILE *out, const void *what) {
   json_number(&j, "value", s->value);
   json_number(&j, "expected_time", s->expected_time);
   figures_json_seconds(&j, "expected_time_seconds", s->expected_time, seconds);
+  if (t->claim.deadline > 0) json_number(&j, "found_by_deadline", s->found);
   json_natural(&j, "off_table", s->off_table);
   if (a->weighed) relearn_json(&j, &a->anew);
   json_natural(&j, "duplicates", (uint64_t)s->duplicates);
@@ -149,8 +150,8 @@ static void write_text(FILE *out, const void *what) {
   for (int i = 0; i < s->visits; i++) {
     fprintf(out, "  step %4" PRIu32, s->visit[i].step);
     if (seconds > 0.0) fprintf(out, "  %8.6g s", s->visit[i].step * seconds);
-    fprintf(out, "  seeker %s  place %s\n", naming_seeker(&n, s->visit[i].seeker).text,
-            naming_place(&n, s->visit[i].place).text);
+    fprintf(out, "  seeker %s  place %s%s\n", naming_seeker(&n, s->visit[i].seeker).text,
+            naming_place(&n, s->visit[i].place).text, figures_late(table_is_late(t, s->visit[i].step)));
   }
   for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
     if (!was_visited(s, o, place)) fprintf(out, "  place %s was not visited\n", naming_place(&n, (unsigned)place).text);
@@ -161,6 +162,8 @@ static void write_text(FILE *out, const void *what) {
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
     fprintf(out, "discounted value %.6g, expected time %s\n", s->value, figures_time(s->expected_time, seconds).text);
+  if (t->claim.deadline > 0 && o->game.target == SIMULATION_NO_TARGET)
+    fprintf(out, "probability of a find by the deadline %.6g\n", s->found);
   write_off_table(out, a);
 }
 

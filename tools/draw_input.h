@@ -25,6 +25,7 @@ typedef struct {
   const uint8_t *cost; /* of each cell: 0 blocked, 1 free, more: slow ground */
   double cell_size;    /* metres a cell; 0: unknown */
   double step_seconds; /* that a step takes; 0: unknown */
+  qtr_steps deadline;  /* visits after it count for nothing; 0: none */
   bool turned;         /* the map against the map frame: rows and columns are no axes of that */
   double x, y;         /* of the outer corner of the bottom-left cell, metres in the map frame */
   bool reached_alone;  /* the map holds what can be reached, and nothing of the rest */
@@ -44,6 +45,10 @@ typedef struct {
   const qtr_cell *representative; /* of each region, to mark with a dot */
   const uint16_t *spot;           /* of each place: those of a spot wear one colour and letter; NULL: none */
 } drawing;
+
+static inline bool drawing_is_late(const drawing *d, qtr_steps step) {
+  return d->deadline > 0 && step > d->deadline;
+}
 
 static inline size_t drawing_cells(const drawing *d) {
   return (size_t)d->columns * d->rows;

@@ -35,10 +35,18 @@ static bool has_visits(const drawing *d) {
   return any;
 }
 
+static bool has_late_visits(const drawing *d) {
+  for (int i = 0; i < d->seekers; i++)
+    for (int v = 0; v < d->seeker[i].places; v++)
+      if (drawing_is_late(d, d->seeker[i].step[v])) return true;
+  return false;
+}
+
 static int key_height(const draw_page *page) {
   const drawing *d = page->d;
   int slowest;
   return (d->places > 0 ? SIZES_ROW : 0) + (has_visits(d) ? KEY_ROW : 0) +
+         (has_late_visits(d) ? KEY_ROW : 0) +
          (has_slow_ground(d, &slowest) ? KEY_ROW : 0) + (page->pockets ? KEY_ROW : 0) + KEY_ROW +
          (d->cell_size > 0 ? KEY_ROW : 0);
 }
@@ -149,6 +157,12 @@ static void draw_label_key(const draw_page *page, double y) {
   put_muted(page, page->legend_x + 32, y + 14.5, "second visit of its seeker", 40);
 }
 
+static void draw_late_key(const draw_page *page, double y) {
+  fprintf(page->out, "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"6\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.3\"/>\n",
+          page->legend_x + 11, y + 10, page->theme->ground, page->theme->ink);
+  put_muted(page, page->legend_x + 32, y + 14.5, "searched after the deadline", 40);
+}
+
 /* A square of ground, `column` squares from the left. */
 static void draw_swatch(const draw_page *page, double y, int column, const char *fill) {
   fprintf(page->out,
@@ -210,6 +224,10 @@ static void draw_key(const draw_page *page, double y) {
   }
   if (has_visits(page->d)) {
     draw_label_key(page, y);
+    y += KEY_ROW;
+  }
+  if (has_late_visits(page->d)) {
+    draw_late_key(page, y);
     y += KEY_ROW;
   }
   if (has_slow_ground(page->d, &slowest)) {

@@ -47,6 +47,12 @@ static int wearer(const draw_page *page, int place) {
   return page->d->spot != NULL ? page->d->spot[place] : page->visitor[place];
 }
 
+/* A place that is searched too late wears nobody's colour. */
+static bool is_late(const draw_page *page, int place) {
+  const int visitor = page->visitor[place];
+  return visitor >= 0 && drawing_is_late(page->d, page->d->seeker[visitor].step[page->visit[place]]);
+}
+
 static void draw_place(draw_page *page, int place) {
   const drawing *d = page->d;
   const int visitor = page->visitor[place];
@@ -58,11 +64,13 @@ static void draw_place(draw_page *page, int place) {
   xml_text(page->out, draw_place_label(d, place).text, QTR_SITE_NAME_BYTES);
   fprintf(page->out, ", likelihood %.4g", d->likelihood[place]);
   if (visitor >= 0)
-    fprintf(page->out, ", seeker %d, visit %d, %s", visitor, page->visit[place] + 1,
-            figures_moment(d->seeker[visitor].step[page->visit[place]], d->step_seconds).text);
+    fprintf(page->out, ", seeker %d, visit %d, %s%s", visitor, page->visit[place] + 1,
+            figures_moment(d->seeker[visitor].step[page->visit[place]], d->step_seconds).text,
+            figures_late(is_late(page, place)));
   fprintf(page->out,
           "</title><circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.3\"/></g>\n",
-          at.x, at.y, radius, wears < 0 ? page->theme->ground : draw_colour(page, colour, wears), page->theme->ink);
+          at.x, at.y, radius,
+          wears < 0 || is_late(page, place) ? page->theme->ground : draw_colour(page, colour, wears), page->theme->ink);
   draw_take(page, &(draw_box){at.x - radius, at.y - radius, 2 * radius, 2 * radius});
 }
 

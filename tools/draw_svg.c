@@ -96,7 +96,8 @@ static bool fits(const drawing *d) {
 static void describe_visit(const draw_page *page, const drawing_seeker *seeker, int visit) {
   fprintf(page->out, "%s place ", visit > 0 ? "," : "");
   xml_text(page->out, draw_place_label(page->d, seeker->place[visit]).text, QTR_SITE_NAME_BYTES);
-  fprintf(page->out, " at %s", figures_moment(seeker->step[visit], page->d->step_seconds).text);
+  fprintf(page->out, " at %s%s", figures_moment(seeker->step[visit], page->d->step_seconds).text,
+          figures_late(drawing_is_late(page->d, seeker->step[visit])));
 }
 
 static void describe(const draw_page *page) {

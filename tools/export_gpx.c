@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "export_parts.h"
+#include "figures.h"
 #include "host/base/xml.h"
 
 enum { LONGEST = 200 }; /* characters of a name */
@@ -26,7 +27,7 @@ static void put_point(FILE *out, const table *t, const export_point *p, bool is_
     xml_text(out, p->place != WAY_NO_PLACE ? table_place_name(t, (unsigned)p->place).text : "start", LONGEST);
     fputs("</name>", out);
   }
-  fprintf(out, "<cmt>step %" PRIu32 "</cmt></rtept>\n", p->step);
+  fprintf(out, "<cmt>step %" PRIu32 "%s</cmt></rtept>\n", p->step, figures_late(p->late));
 }
 
 void export_gpx(FILE *out, const export_plan *plan) {

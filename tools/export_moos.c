@@ -3,6 +3,7 @@
 #include <inttypes.h>
 
 #include "export_parts.h"
+#include "figures.h"
 
 static void put_way(FILE *out, const export_plan *plan, const export_way *w) {
   fprintf(out, "// %s of %s, x,y in metres\n", table_robot_name(plan->t, w->robot).text, plan->source);
@@ -11,9 +12,9 @@ static void put_way(FILE *out, const export_plan *plan, const export_way *w) {
             (double)plan->t->geo.longitude / (double)QTR_GEO_ONE);
   for (size_t i = 0; i < w->count; i++)
     if (w->point[i].place != WAY_NO_PLACE)
-      fprintf(out, "// %s at %.2f,%.2f, step %" PRIu32 "\n",
+      fprintf(out, "// %s at %.2f,%.2f, step %" PRIu32 "%s\n",
               table_place_name(plan->t, (unsigned)w->point[i].place).text, w->point[i].east, w->point[i].north,
-              w->point[i].step);
+              w->point[i].step, figures_late(w->point[i].late));
   fputs("points = ", out);
   for (size_t i = 0; i < w->count; i++)
     fprintf(out, "%s%.3f,%.3f", i > 0 ? ":" : "", w->point[i].east, w->point[i].north);

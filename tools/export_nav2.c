@@ -4,9 +4,10 @@
 #include <math.h>
 
 #include "export_parts.h"
+#include "figures.h"
 
 static void put_pose(FILE *out, const table *t, const export_point *p) {
-  fprintf(out, "  - header: {frame_id: map}  # step %" PRIu32, p->step);
+  fprintf(out, "  - header: {frame_id: map}  # step %" PRIu32 "%s", p->step, figures_late(p->late));
   if (p->place != WAY_NO_PLACE) fprintf(out, ", %s", table_place_name(t, (unsigned)p->place).text);
   fprintf(out,
           "\n    pose:\n      position: {x: %.6f, y: %.6f, z: 0.0}\n"

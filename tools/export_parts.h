@@ -19,6 +19,7 @@ typedef struct {
   qtr_steps step; /* of arrival */
   double seconds; /* the same; NAN where the table does not say how long a step is */
   int place;      /* of the table; WAY_NO_PLACE */
+  bool late;      /* it comes after the mission's deadline */
 } export_point;
 
 typedef struct {

@@ -18,7 +18,8 @@ static export_point point_at(const table *t, const waypoint *at) {
                     .longitude = NAN,
                     .step = at->step,
                     .seconds = table_step_seconds(t) > 0.0 ? at->step * table_step_seconds(t) : NAN,
-                    .place = at->place};
+                    .place = at->place,
+                    .late = table_is_late(t, at->step)};
   const double yaw = (double)t->geo.yaw / (double)QTR_GEO_ONE;
   p.east = cos(yaw) * p.x - sin(yaw) * p.y;
   p.north = sin(yaw) * p.x + cos(yaw) * p.y;

@@ -21,6 +21,10 @@ count_text figures_moment(qtr_steps step, double step_seconds) {
   return told;
 }
 
+const char *figures_late(bool late) {
+  return late ? ", after the deadline" : "";
+}
+
 static bool is_time(uint8_t objective) {
   return qtr_objective_in_words(objective)->unit != NULL;
 }

@@ -2,6 +2,7 @@
 #ifndef QUARTER_TOOLS_FIGURES_H
 #define QUARTER_TOOLS_FIGURES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "host/base/count.h"
@@ -15,6 +16,9 @@ count_text figures_time(double steps, double step_seconds);
 
 /* "step 14", or "step 14, 7 s" */
 count_text figures_moment(qtr_steps step, double step_seconds);
+
+/* ", after the deadline" of what is late, else nothing. */
+const char *figures_late(bool late);
 
 /* An objective's figure, whose times are in steps: "12.5 steps", "6.25 s", "8.15523" */
 count_text figures_told(uint8_t objective, double figure, double step_seconds);

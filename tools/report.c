@@ -21,6 +21,11 @@ static void write_units(json *j, const table_route *route, const route_units *un
     for (int i = 0; i < route->places; i++) json_number(j, NULL, units->metres[seeker][i]);
     json_end_array(j);
   }
+  if (units->deadline > 0) {
+    int by = 0;
+    while (by < route->places && !routes_is_late(units, route->step[by])) by++;
+    json_integer(j, "by_deadline", by);
+  }
   if (!units->looks) return;
   json_array(j, "looks");
   for (int i = 0; i < route->places; i++) json_integer(j, NULL, units->look[seeker][i]);
@@ -64,6 +69,10 @@ static double told_seconds(const report *r) {
   return r->p->pace.stated ? r->p->pace.seconds_per_step : 0.0;
 }
 
+static double time_by_deadline(const report *r) {
+  return routes_time_by_deadline(&r->units, r->route, &r->p->in.mission);
+}
+
 static void write_certificate(json *j, const report *r) {
   const qtr_certificate *c = &r->certificate;
   json_number(j, "seconds_per_step", r->p->pace.seconds_per_step);
@@ -72,6 +81,12 @@ static void write_certificate(json *j, const report *r) {
   json_number(j, "expected_time", c->expected_time);
   figures_json_seconds(j, "expected_time_seconds", c->expected_time, told_seconds(r));
   json_number(j, "found_probability", c->found);
+  if (r->units.deadline > 0) {
+    json_natural(j, "deadline_step", r->units.deadline);
+    figures_json_seconds(j, "deadline_seconds", r->units.deadline, told_seconds(r));
+    json_number(j, "expected_time_by_deadline", time_by_deadline(r));
+    figures_json_seconds(j, "expected_time_by_deadline_seconds", time_by_deadline(r), told_seconds(r));
+  }
   json_number(j, "objective_value", objective_unit(r) * c->objective);
   json_number(j, "objective_bound", objective_unit(r) * c->bound);
   json_number(j, "gap", c->gap);
@@ -155,8 +170,9 @@ void report_routes(FILE *out, const table_route *route, const naming *n, const r
     fprintf(out, "  seeker %s:", naming_seeker(n, (unsigned)seeker).text);
     if (route[seeker].places == 0) fprintf(out, " stays at its start");
     for (int i = 0; i < route[seeker].places; i++) {
-      fprintf(out, "%s %s (%s)", i > 0 ? " ->" : "", naming_place(n, route[seeker].place[i]).text,
-              figures_moment(route[seeker].step[i], units->seconds ? units->seconds_per_step : 0.0).text);
+      fprintf(out, "%s %s (%s%s)", i > 0 ? " ->" : "", naming_place(n, route[seeker].place[i]).text,
+              figures_moment(route[seeker].step[i], units->seconds ? units->seconds_per_step : 0.0).text,
+              figures_late(routes_is_late(units, route[seeker].step[i])));
     }
     if (units->seconds && units->metric && route[seeker].places > 0)
       fprintf(out, "; %.6g m", units->metres[seeker][route[seeker].places - 1]);
@@ -176,6 +192,10 @@ static void write_figures(FILE *out, uint8_t objective, const report *r) {
   const qtr_score score = {.value = c->value, .expected_time = c->expected_time, .found = c->found};
   write_figure(out, objective, c->objective, told_seconds(r));
   fprintf(out, ", bound %.6g (", objective_unit(r) * c->bound);
+  if (objective == QTR_DEADLINE) {
+    fprintf(out, "by then found after %s)\n", figures_time(time_by_deadline(r), told_seconds(r)).text);
+    return;
+  }
   write_figure(out, beside, qtr_objective_figure(beside, qtr_objective_of_score(beside, &score)), told_seconds(r));
   fputs(")\n", out);
 }
@@ -206,13 +226,14 @@ static void write_terms(FILE *out, const report *r) {
   const naming n = input_naming(&r->p->in);
   uint16_t places[QTR_MAX_PLACES];
   const int count = routes_left_out(places, r->route, &r->p->in.mission);
+  const char *nobody = r->units.deadline > 0 ? "nobody searches by the deadline:" : "nobody searches";
   if (r->certificate.found < 1.0 - 1e-9 && r->p->in.mission.aim.kind != QTR_DEADLINE)
     fprintf(out, "finds the target with probability %.6g\n", r->certificate.found);
   if (p->stated) fprintf(out, "a step is %.6g s", p->seconds_per_step);
   if (p->stated && p->rounding > 0.0) fprintf(out, ", which rounds travel times by up to %.2g %%", 100.0 * p->rounding);
   if (p->stated) fputc('\n', out);
   for (int i = 0; i < count; i++)
-    fprintf(out, "%s %s%s", i == 0 ? "nobody searches" : ",", naming_place(&n, places[i]).text,
+    fprintf(out, "%s %s%s", i == 0 ? nobody : ",", naming_place(&n, places[i]).text,
             i + 1 < count ? "" : "\n");
 }
 

@@ -1,5 +1,7 @@
 #include "routes.h"
 
+#include <math.h>
+
 #include "host/table/way.h"
 #include "quarter/travel.h"
 
@@ -55,6 +57,7 @@ static void measure_metres(route_units *units, const table_route *route, problem
 void routes_measure(route_units *units, const table_route *routes, problem *p) {
   const qtr_mission *mission = &p->in.mission;
   units->seconds = p->pace.stated;
+  units->deadline = mission->aim.kind == QTR_DEADLINE ? mission->aim.deadline : 0;
   units->seconds_per_step = p->pace.seconds_per_step;
   units->metric = p->in.frame.metric;
   units->looks = false;
@@ -100,6 +103,7 @@ static void measure_looks(route_units *units, const table_route *routes, const t
 int routes_measure_table(route_units *units, const table_route *routes, const table *t, fault *why) {
   units->seconds_per_step = table_step_seconds(t);
   units->seconds = units->seconds_per_step > 0.0;
+  units->deadline = t->claim.deadline;
   units->metric = qtr_policy_frame(&t->policy).cell_size_um > 0;
   measure_looks(units, routes, t);
   for (int seeker = 0; seeker < t->policy.board.seekers; seeker++)
@@ -107,12 +111,36 @@ int routes_measure_table(route_units *units, const table_route *routes, const ta
   return 0;
 }
 
+bool routes_is_late(const route_units *units, qtr_steps step) {
+  return units->deadline > 0 && step > units->deadline;
+}
+
 int routes_left_out(uint16_t *places, const table_route *routes, const qtr_mission *mission) {
-  bool on_route[QTR_MAX_PLACES] = {false};
+  const route_units units = {.deadline = mission->aim.deadline};
+  bool searched[QTR_MAX_PLACES] = {false};
   int count = 0;
   for (int seeker = 0; seeker < mission->seekers; seeker++)
-    for (int i = 0; i < routes[seeker].places; i++) on_route[routes[seeker].place[i]] = true;
+    for (int i = 0; i < routes[seeker].places; i++)
+      if (!routes_is_late(&units, routes[seeker].step[i])) searched[routes[seeker].place[i]] = true;
   for (int place = 0; place < mission->places; place++)
-    if (!on_route[place]) places[count++] = (uint16_t)place;
+    if (!searched[place]) places[count++] = (uint16_t)place;
   return count;
+}
+
+/* What a look finds: P q (1-q)^(m-1), in the weights' unit. */
+static double find_by_look(const qtr_mission *mission, unsigned place, unsigned look) {
+  const double miss = 1.0 - mission->detection[place];
+  return mission->weight[place] * mission->detection[place] * pow(miss, look - 1.0);
+}
+
+double routes_time_by_deadline(const route_units *units, const table_route *routes, const qtr_mission *mission) {
+  double found = 0.0, sum = 0.0;
+  for (int seeker = 0; seeker < mission->seekers; seeker++)
+    for (int i = 0; i < routes[seeker].places; i++) {
+      if (routes_is_late(units, routes[seeker].step[i])) continue;
+      const double finds = find_by_look(mission, routes[seeker].place[i], units->look[seeker][i]);
+      found += finds;
+      sum += finds * routes[seeker].step[i];
+    }
+  return found > 0.0 ? sum / found : 0.0;
 }

@@ -248,6 +248,7 @@ static void add_up(simulation *s, const world *w) {
     const qtr_steps step = s->visit[i].step;
     s->value += QTR_REWARD_SCALE * c.findable * probability * pow(c.gamma, step > 0 ? step - 1.0 : 0.0);
     visited += probability;
+    if (!table_is_late(w->t, step)) s->found += c.findable * probability;
     sum += probability * step;
   }
   s->expected_time = left_over(w) == 0 ? sum / (visited > 0.0 ? visited : 1.0) : NAN;

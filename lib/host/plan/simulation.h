@@ -55,6 +55,7 @@ typedef struct {
   uint32_t found_signals, done_signals; /* that were sent */
   double value;                         /* discounted, of the first visits */
   double expected_time;                 /* steps; NAN if a place was left unvisited */
+  double found;                         /* probability of a find, by the deadline where the mission has one */
 } simulation;
 
 /* Everybody on time from the table's starts, nothing cleared, no target. */

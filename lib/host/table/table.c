@@ -113,6 +113,10 @@ double table_step_seconds(const table *t) {
   return t->claim.step_time_us / 1e6;
 }
 
+bool table_is_late(const table *t, qtr_steps step) {
+  return t->claim.deadline > 0 && step > t->claim.deadline;
+}
+
 double table_probability(const table *t, unsigned place) {
   double sum = 0.0;
   for (unsigned p = 0; p < t->policy.board.places; p++) sum += qtr_policy_weight(&t->policy, p);

@@ -62,6 +62,9 @@ qtr_cell table_cell(const table *t, int column, int row);
 /* Seconds that a step takes; 0: the table does not say. */
 double table_step_seconds(const table *t);
 
+/* Whether a visit at a step comes after the mission's deadline, where it has one, and counts for nothing. */
+bool table_is_late(const table *t, qtr_steps step);
+
 /* A place's likelihood, as exactly as the table holds it. */
 double table_probability(const table *t, unsigned place);
 
