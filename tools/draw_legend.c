@@ -45,8 +45,7 @@ static bool has_late_visits(const drawing *d) {
 static int key_height(const draw_page *page) {
   const drawing *d = page->d;
   int slowest;
-  return (d->places > 0 ? SIZES_ROW : 0) + (has_visits(d) ? KEY_ROW : 0) +
-         (has_late_visits(d) ? KEY_ROW : 0) +
+  return (d->places > 0 ? SIZES_ROW : 0) + (has_visits(d) ? KEY_ROW : 0) + (has_late_visits(d) ? KEY_ROW : 0) +
          (has_slow_ground(d, &slowest) ? KEY_ROW : 0) + (page->pockets ? KEY_ROW : 0) + KEY_ROW +
          (d->cell_size > 0 ? KEY_ROW : 0);
 }

@@ -220,21 +220,24 @@ static void write_negligible(FILE *out, const report *r) {
                             : "their weights are too small beside the others'\n");
 }
 
-/* What the field's terms bring: looks that all miss, places that nobody gets to, steps of so many seconds. */
-static void write_terms(FILE *out, const report *r) {
-  const pace *p = &r->p->pace;
+static void write_left_places(FILE *out, const report *r) {
   const naming n = input_naming(&r->p->in);
   uint16_t places[QTR_MAX_PLACES];
   const int count = routes_left_out(places, r->route, &r->p->in.mission);
   const char *nobody = r->units.deadline > 0 ? "nobody searches by the deadline:" : "nobody searches";
+  for (int i = 0; i < count; i++)
+    fprintf(out, "%s %s%s", i == 0 ? nobody : ",", naming_place(&n, places[i]).text, i + 1 < count ? "" : "\n");
+}
+
+/* What the field's terms bring: looks that all miss, steps of so many seconds, places that nobody gets to. */
+static void write_terms(FILE *out, const report *r) {
+  const pace *p = &r->p->pace;
   if (r->certificate.found < 1.0 - 1e-9 && r->p->in.mission.aim.kind != QTR_DEADLINE)
     fprintf(out, "finds the target with probability %.6g\n", r->certificate.found);
   if (p->stated) fprintf(out, "a step is %.6g s", p->seconds_per_step);
   if (p->stated && p->rounding > 0.0) fprintf(out, ", which rounds travel times by up to %.2g %%", 100.0 * p->rounding);
   if (p->stated) fputc('\n', out);
-  for (int i = 0; i < count; i++)
-    fprintf(out, "%s %s%s", i == 0 ? nobody : ",", naming_place(&n, places[i]).text,
-            i + 1 < count ? "" : "\n");
+  write_left_places(out, r);
 }
 
 static void write_text(FILE *out, const void *what) {

@@ -13,7 +13,7 @@
 typedef struct {
   bool seconds; /* people are told of seconds, too */
   double seconds_per_step;
-  qtr_steps deadline; /* visits after it count for nothing; 0: there is none */
+  qtr_steps deadline;                            /* visits after it count for nothing; 0: there is none */
   bool looks;                                    /* places may be on them several times, */
   uint8_t look[QTR_MAX_SEEKERS][QTR_MAX_PLACES]; /* and this is the how many-th look, from 1 */
   bool metric;
