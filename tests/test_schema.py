@@ -20,7 +20,7 @@ ROW = re.compile(r"^\| `(\w+)`(?:, also ((?:`\w+`(?:, | or )?)+))? \|.*\| `(.*)`
 BASE = {"map": "map.yaml", "robots": [{"x": 0.5, "y": 1.5}], "places": [{"x": 2.5, "y": 1.5}, {"x": 4.5, "y": 1.5}]}
 FILES = {
     "map.pgm": "P2 20 20 1\n" + "1 " * 400,
-    "map.yaml": "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n",
+    "map.yaml": "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\nmode: scale\n",
     "places.csv": "x,y,weight\n5.5,5.5,1\n",
     "places.geojson": '{"type": "Point", "coordinates": [6.5, 6.5], "crs": {"properties": {"name": "local"}}}',
     "keepout.pgm": "P2 20 20 255\n" + "0 " + "255 " * 399,

@@ -20,7 +20,7 @@ void tearDown(void) {
 
 /* From rows of '#' and '.', each ended by '|'. */
 static pixels draw(const char *rows) {
-  pixels map = {(int)strcspn(rows, "|"), 0, blocked};
+  pixels map = {(int)strcspn(rows, "|"), 0, blocked, NULL};
   for (size_t i = 0, n = 0; rows[i] != '\0'; i++) {
     if (rows[i] == '|') {
       map.height++;
@@ -100,7 +100,7 @@ static void test_growth_agrees_with_brute_force(void) {
   for (unsigned seed = 1; seed <= 300; seed++) {
     test_random random = random_case("growth", seed);
     uint8_t before[SIDE * SIDE];
-    pixels map = {1 + (int)random_below(&random, SIDE), 1 + (int)random_below(&random, SIDE), blocked};
+    pixels map = {1 + (int)random_below(&random, SIDE), 1 + (int)random_below(&random, SIDE), blocked, NULL};
     double radius = random_below(&random, 1000) / 137.0;
     unsigned density = 2 + random_below(&random, 60);
     for (int i = 0; i < map.width * map.height; i++) before[i] = random_below(&random, density) == 0;
@@ -168,7 +168,7 @@ static bool cell_free(const pixels *map, int column, int above, double ratio) {
 static void test_coarsening_agrees_with_brute_force(void) {
   for (unsigned seed = 1; seed <= 300; seed++) {
     test_random random = random_case("coarsening", seed);
-    pixels map = {1 + (int)random_below(&random, SIDE), 1 + (int)random_below(&random, SIDE), blocked};
+    pixels map = {1 + (int)random_below(&random, SIDE), 1 + (int)random_below(&random, SIDE), blocked, NULL};
     double ratio = 0.3 + random_below(&random, 1000) / 213.0;
     unsigned density = 2 + random_below(&random, 60);
     for (int i = 0; i < map.width * map.height; i++) blocked[i] = random_below(&random, density) == 0;

@@ -57,6 +57,43 @@ static void test_scale_counts_all_but_nothing_as_occupied(void) {
   expect_classes(255, (const int[]){0, 102, 150, 203, 204, 205, 255}, "oooofff");
 }
 
+/* Occupancy 0.2 is free ground and 0.6 an obstacle: of the ten greys of this image 8 is 0, 7 a quarter, 6 a half, 5
+ * three quarters, and 4 the obstacle. */
+static void test_greys_of_scale_maps_are_ground_that_takes_longer(void) {
+  scratch_write_rosmap(YAML("negate: 0\nmode: scale\n"), "P2 6 1 10\n9 8 7 6 5 4\n",
+                       "map: m.yaml\ngrey_cost: 9\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 0}]\n");
+  scratch_read("mission.yaml");
+  static const uint8_t expected[6] = {1, 1, 3, 5, 7, 0};
+  TEST_ASSERT_EQUAL_UINT8_ARRAY(expected, scratch_input.mission.cost, 6);
+  /* Without it they are obstacles, and a note says what would open them. */
+  scratch_write_rosmap(YAML("negate: 0\nmode: scale\n"), "P2 6 1 10\n9 8 7 6 5 4\n",
+                       "map: m.yaml\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 0}]\n");
+  scratch_read("mission.yaml");
+  static const uint8_t closed[6] = {1, 1, 0, 0, 0, 0};
+  TEST_ASSERT_EQUAL_UINT8_ARRAY(closed, scratch_input.mission.cost, 6);
+  TEST_ASSERT_NOT_NULL(strstr(scratch_input.note.text[0], "3 pixels of the image are grey"));
+  TEST_ASSERT_NOT_NULL(strstr(scratch_input.note.text[0], "grey_cost: 5"));
+}
+
+/* A cell is as slow as its slowest pixel, and blocked where any is; an obstacle still grows by the radius. */
+static void test_the_slowest_pixel_of_a_cell_counts(void) {
+  scratch_write_rosmap(YAML("negate: 0\nmode: scale\n"), "P2 6 2 10\n9 7 9 9 9 4\n6 9 9 9 9 9\n",
+                       "map: m.yaml\ncell_size: 1\ngrey_cost: 9\nrobots: [{column: 0, row: 0}]\n"
+                       "places: [{column: 1, row: 0}]\n");
+  scratch_read("mission.yaml");
+  static const uint8_t expected[3] = {5, 1, 0};
+  TEST_ASSERT_EQUAL_UINT8_ARRAY(expected, scratch_input.mission.cost, 3);
+}
+
+static void test_grey_cost_is_for_maps_that_have_greys(void) {
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 10\n9 9\n",
+                       "map: m.yaml\ngrey_cost: 9\nrobots: [{column: 0, row: 0}]\nplaces: [{column: 1, row: 0}]\n");
+  scratch_refuse("mission.yaml", "mission.yaml:2", "\"mode: scale\"", "delete it");
+  scratch_write("map.txt", "S.1\n");
+  scratch_write("mission.yaml", "map: map.txt\ngrey_cost: 9\n");
+  scratch_refuse("mission.yaml", "mission.yaml:2", "\"mode: scale\"", "'terrain'");
+}
+
 static void test_raw_takes_the_greys_as_percent(void) {
   header.mode = ROSMAP_RAW;
   header.negate = true;
@@ -399,6 +436,9 @@ int main(void) {
   RUN_TEST(test_other_maxima_scale);
   RUN_TEST(test_map_savers_own_greys);
   RUN_TEST(test_scale_counts_all_but_nothing_as_occupied);
+  RUN_TEST(test_greys_of_scale_maps_are_ground_that_takes_longer);
+  RUN_TEST(test_the_slowest_pixel_of_a_cell_counts);
+  RUN_TEST(test_grey_cost_is_for_maps_that_have_greys);
   RUN_TEST(test_raw_takes_the_greys_as_percent);
   RUN_TEST(test_rows_columns_and_the_frame);
   RUN_TEST(test_unknown_is_blocked_unless_free_is_asked_for);

@@ -30,6 +30,8 @@ typedef struct {
   double cell_size;    /* metres; 0: the map's resolution */
   double robot_radius; /* metres by which obstacles are inflated */
   uint8_t unknown;     /* enum input_unknown, where unknown_given */
+  uint8_t grey_cost;   /* steps that entering the darkest grey short of an obstacle takes; 0: greys are obstacles */
+  bool has_greys;      /* the map is of a kind that has such greys */
   bool size_given, radius_given, unknown_given;
 } input_ground;
 

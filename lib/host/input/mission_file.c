@@ -63,13 +63,21 @@ static int read_named(file_bytes *bytes, const char *path, size_t limit, tree *y
   return file_read(bytes, path, limit, named_by, yaml->why);
 }
 
+static int check_greys(const input *in, tree *yaml, tree_node *root) {
+  if (in->ground.grey_cost == 0 || in->ground.has_greys) return 0;
+  return tree_fault(yaml, tree_find(yaml, root, "grey_cost"),
+                    "'grey_cost' is for the greys of ROS maps of \"mode: scale\", and %s is none; delete it, or name a "
+                    "'terrain'",
+                    file_short_path(in->map));
+}
+
 static int read_map(input *in, tree *yaml, tree_node *root, const input_options *options) {
   file_bytes bytes;
   if (options->cell_size > 0.0) in->ground.cell_size = options->cell_size;
   if (read_named(&bytes, in->map, FILE_MAP_LIMIT, yaml, tree_find(yaml, root, "map"))) return -1;
   int result = read_map_bytes(in, yaml, root, &bytes);
   file_free(&bytes);
-  return result;
+  return result != 0 ? -1 : check_greys(in, yaml, root);
 }
 
 /* ---- robots and places ---- */

@@ -302,6 +302,17 @@ static const key_record mission_records[] = {
      .words = words_unknown,
      KEY_FIELD(input, ground.unknown),
      KEY_GIVEN(input, ground.unknown_given)},
+    {.name = "grey_cost",
+     .kind = KEY_INTEGER,
+     .help =
+         "what entering the darkest grey takes that is no obstacle, in times of free ground; lighter ones take less, "
+         "in proportion, and the worst pixel of a cell counts",
+     .example = "5",
+     .standard = "greys are obstacles",
+     .where = "ROS maps of `mode: scale`",
+     .least = 1.0,
+     .most = 255.0,
+     KEY_FIELD(input, ground.grey_cost)},
     {.name = "terrain",
      .kind = KEY_FILE,
      .help =

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #define OVERLAP 1e-4 /* of a pixel, below which there is none */
+#define BLOCKED 255  /* worse than any slow pixel */
 
 /* How far a pixel's middle is from a blocked pixel that many columns (or rows) away, along that axis. */
 static double axis_gap(int apart) {
@@ -103,28 +104,37 @@ static span cell_span(int cell, double ratio, int side) {
   return it;
 }
 
-/* any[x] = whether a pixel of column x is blocked in the rows of the span. */
-static void gather_rows(uint8_t *any, const pixels *map, span rows) {
+static uint8_t worse(uint8_t a, uint8_t b) {
+  return a > b ? a : b;
+}
+
+static uint8_t badness(const pixels *map, size_t pixel) {
+  if (map->blocked[pixel]) return BLOCKED;
+  return map->slow != NULL ? map->slow[pixel] : 0;
+}
+
+/* worst[x] = of the pixels of column x in the rows of the span. */
+static void gather_rows(uint8_t *worst, const pixels *map, span rows) {
   size_t width = (size_t)map->width;
-  memset(any, 0, width);
+  memset(worst, 0, width);
   for (int y = rows.first; y <= rows.last; y++) {
-    const uint8_t *blocked = map->blocked + (size_t)(map->height - 1 - y) * width;
-    for (size_t x = 0; x < width; x++) any[x] |= blocked[x];
+    const size_t first = (size_t)(map->height - 1 - y) * width;
+    for (size_t x = 0; x < width; x++) worst[x] = worse(worst[x], badness(map, first + x));
   }
 }
 
-static void fill_row(uint8_t *cost, int columns, const span *spans, const uint8_t *any) {
+static void fill_row(uint8_t *cost, int columns, const span *spans, const uint8_t *worst) {
   for (int c = 0; c < columns; c++) {
-    bool blocked = spans[c].over_edge;
-    for (int x = spans[c].first; x <= spans[c].last && !blocked; x++) blocked = any[x] != 0;
-    cost[c] = !blocked;
+    uint8_t all = spans[c].over_edge ? BLOCKED : 0;
+    for (int x = spans[c].first; x <= spans[c].last && all != BLOCKED; x++) all = worse(all, worst[x]);
+    cost[c] = all == BLOCKED ? 0 : (uint8_t)(all + 1);
   }
 }
 
 int pixels_coarsen(uint8_t *cost, int columns, int rows, const pixels *map, double ratio) {
-  uint8_t *any = malloc((size_t)map->width);
+  uint8_t *worst = malloc((size_t)map->width);
   span *spans = malloc((size_t)columns * sizeof *spans);
-  int result = any != NULL && spans != NULL ? 0 : -1;
+  int result = worst != NULL && spans != NULL ? 0 : -1;
   ratio = settle(ratio);
   for (int c = 0; c < columns && result == 0; c++) spans[c] = cell_span(c, ratio, map->width);
   for (int r = 0; r < rows && result == 0; r++) {
@@ -133,11 +143,11 @@ int pixels_coarsen(uint8_t *cost, int columns, int rows, const pixels *map, doub
     if (across.over_edge) {
       memset(row, 0, (size_t)columns);
     } else {
-      gather_rows(any, map, across);
-      fill_row(row, columns, spans, any);
+      gather_rows(worst, map, across);
+      fill_row(row, columns, spans, worst);
     }
   }
-  free(any);
+  free(worst);
   free(spans);
   return result;
 }

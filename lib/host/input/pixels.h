@@ -1,4 +1,4 @@
-/* An image of blocked and free pixels, grown by the robot's radius and coarsened to planning cells. */
+/* An image of blocked, free and slow pixels, grown by the robot's radius and coarsened to planning cells. */
 #ifndef QUARTER_HOST_PIXELS_H
 #define QUARTER_HOST_PIXELS_H
 
@@ -9,6 +9,7 @@
 typedef struct {
   int width, height; /* 1..65535 */
   uint8_t *blocked;  /* row by row from the top, 1 = blocked */
+  uint8_t *slow;     /* likewise, steps that entering takes beyond the first, up to 254; NULL: none does */
 } pixels;
 
 /* Block every pixel whose middle lies within `radius` (in pixels) of a blocked pixel, a square of side 1; touching
@@ -23,9 +24,9 @@ int pixels_grow(pixels *map, double radius);
  * number, and an overlap below 1e-4 of a pixel is none: both are rounding. May exceed what an int holds. */
 double pixels_cells(int map, double ratio);
 
-/* Fill cost[rows * columns], row 0 on top, with 0 for cells that a blocked pixel or the image's edge cuts, 1 for
- * others. Cell edges start at the lower-left corner of the image. `columns` and `rows` are those of pixels_cells(). 0,
- * or -1 with no memory. */
+/* Fill cost[rows * columns], row 0 on top, with 0 for cells that a blocked pixel or the image's edge cuts, for others
+ * with the steps of their slowest pixel. Cell edges start at the lower-left corner of the image. `columns` and `rows`
+ * are those of pixels_cells(). 0, or -1 with no memory. */
 int pixels_coarsen(uint8_t *cost, int columns, int rows, const pixels *map, double ratio);
 
 #endif

@@ -119,19 +119,36 @@ int rosmap_read_header(rosmap_header *header, const char *path, const file_bytes
   return ok ? 0 : -1;
 }
 
+/* One correctly rounded division: a threshold written as the same fraction compares equal, which 1 - v/max would
+ * not. */
+static double occupancy_of(const rosmap_header *header, int sample, int maximum) {
+  return (double)(header->negate ? sample : maximum - sample) / maximum;
+}
+
+double rosmap_greyness(const rosmap_header *header, int sample, int maximum) {
+  const double occupancy = occupancy_of(header, sample, maximum);
+  if (header->mode != ROSMAP_SCALE || occupancy < header->free) return 0.0;
+  return occupancy > header->occupied ? 1.0 : (occupancy - header->free) / (header->occupied - header->free);
+}
+
 enum rosmap_class rosmap_classify(const rosmap_header *header, int sample, int maximum) {
   if (header->mode == ROSMAP_RAW) {
     double value = round(sample * 255.0 / maximum);
     return value == 0.0 ? ROSMAP_FREE : value <= 100.0 ? ROSMAP_OCCUPIED : ROSMAP_UNKNOWN;
   }
-  /* One correctly rounded division: a threshold written as the same fraction compares equal, which 1 - v/max would
-   * not. */
-  double occupancy = (double)(header->negate ? sample : maximum - sample) / maximum;
+  const double occupancy = occupancy_of(header, sample, maximum);
   if (occupancy > header->occupied) return ROSMAP_OCCUPIED;
   if (occupancy < header->free) return ROSMAP_FREE;
   if (header->mode == ROSMAP_TRINARY) return ROSMAP_UNKNOWN;
-  double scaled = (occupancy - header->free) / (header->occupied - header->free) * 100.0;
-  return scaled < 0.5 ? ROSMAP_FREE : ROSMAP_OCCUPIED;
+  return rosmap_greyness(header, sample, maximum) * 100.0 < 0.5 ? ROSMAP_FREE : ROSMAP_OCCUPIED;
+}
+
+/* Steps beyond the first that a grey takes, where greys are slow ground: of 100 shades, as map_server makes them, the
+ * last is an obstacle. -1: it is one, or greys are. */
+static int slowness(const rosmap_header *header, int sample, int maximum, const input_ground *ground) {
+  const double shade = round(rosmap_greyness(header, sample, maximum) * 100.0);
+  if (ground->grey_cost == 0 || header->mode != ROSMAP_SCALE || shade >= 100.0) return -1;
+  return (int)round(shade / 99.0 * (ground->grey_cost - 1));
 }
 
 /* The sample of the savers' grey, as the occupancy has it; -1: no sample is that grey. */
@@ -146,20 +163,39 @@ static bool is_free_unknown(const input_ground *ground) {
 static bool is_blocked(const rosmap_header *header, int sample, const image *picture, const input_ground *ground) {
   const enum rosmap_class kind = rosmap_classify(header, sample, picture->maximum);
   if (kind == ROSMAP_UNKNOWN) return !is_free_unknown(ground);
-  return kind == ROSMAP_OCCUPIED || (ground->unknown_given && ground->unknown == INPUT_UNKNOWN_BLOCKED &&
-                                     sample == savers_sample(header, picture));
+  const bool obstacle = kind == ROSMAP_OCCUPIED && slowness(header, sample, picture->maximum, ground) < 0;
+  return obstacle || (ground->unknown_given && ground->unknown == INPUT_UNKNOWN_BLOCKED &&
+                      sample == savers_sample(header, picture));
 }
 
-/* Blocked pixels of the image. */
+/* Slow pixels, where greys are. False: no memory. */
+static bool make_slow(pixels *map, const image *picture, const rosmap_header *header, const input_ground *ground) {
+  const size_t count = (size_t)picture->width * (size_t)picture->height;
+  if (ground->grey_cost == 0 || header->mode != ROSMAP_SCALE) return true;
+  map->slow = calloc(count, 1);
+  for (size_t i = 0; map->slow != NULL && i < count; i++) {
+    const int steps = slowness(header, picture->samples[i], picture->maximum, ground);
+    if (steps > 0 && !(picture->transparent != NULL && picture->transparent[i])) map->slow[i] = (uint8_t)steps;
+  }
+  return map->slow != NULL;
+}
+
+static void free_pixels(pixels *map) {
+  free(map->blocked);
+  free(map->slow);
+}
+
+/* Blocked pixels of the image, and slow ones. */
 static int make_pixels(pixels *map, const image *picture, const rosmap_header *header, const input_ground *ground) {
   size_t count = (size_t)picture->width * (size_t)picture->height, grades = (size_t)picture->maximum + 1;
   uint8_t *blocks = malloc(grades);
   map->width = picture->width;
   map->height = picture->height;
   map->blocked = malloc(count);
-  if (blocks == NULL || map->blocked == NULL) {
+  map->slow = NULL;
+  if (blocks == NULL || map->blocked == NULL || !make_slow(map, picture, header, ground)) {
     free(blocks);
-    free(map->blocked);
+    free_pixels(map);
     return -1;
   }
   for (size_t v = 0; v < grades; v++) blocks[v] = is_blocked(header, (int)v, picture, ground);
@@ -186,6 +222,22 @@ static void note_unknown(input *in, const image *picture, const rosmap_header *h
             "ground; \"unknown: blocked\" in the mission closes %s",
             file_short_path(in->map), counted(greys, "cell").text, greys == 1 ? "is" : "are", SAVERS_GREY, header->free,
             greys == 1 ? "it" : "them");
+}
+
+static void note_greys(input *in, const image *picture, const rosmap_header *header) {
+  const size_t count = (size_t)picture->width * (size_t)picture->height;
+  uint64_t greys = 0;
+  if (header->mode != ROSMAP_SCALE || in->ground.grey_cost > 0) return;
+  for (size_t i = 0; i < count; i++) {
+    const double shade = round(100.0 * rosmap_greyness(header, picture->samples[i], picture->maximum));
+    greys += shade > 0.0 && shade < 100.0 && (picture->transparent == NULL || !picture->transparent[i]);
+  }
+  if (greys == 0) return;
+  notes_add(
+      &in->note,
+      "%s: %s of the image %s grey, between free ground and obstacle, and counted as obstacle; \"grey_cost: 5\" in "
+      "the mission makes them ground that takes up to 5 times as long",
+      file_short_path(in->map), counted(greys, "pixel").text, greys == 1 ? "is" : "are");
 }
 
 static void note_points(input *in, const rosmap_header *header) {
@@ -240,7 +292,8 @@ static int fill_cells(input *in, pixels *map, const rosmap_header *header, fault
         ground->robot_radius);
   if (pixels_coarsen(mission->cost, mission->columns, mission->rows, map, in->frame.cell_size / header->resolution))
     return file_fault(why, header->image, 0, 0, "no memory for its pixels; scale the map down");
-  if (memchr(mission->cost, 1, cells) != NULL) return 0;
+  for (size_t cell = 0; cell < cells; cell++)
+    if (mission->cost[cell] != 0) return 0;
   return file_fault(why, in->path, 0, 0,
                     "no cell is left free: cells of %g m are larger than the free space%s; choose a smaller cell_size "
                     "(the map's pixels are %g m)",
@@ -265,13 +318,14 @@ static int plan_cells(input *in, const image *picture, const rosmap_header *head
   in->upward = picture->height / ratio;
   in->frame = (input_frame){true, size, header->origin[0], header->origin[1], settle_yaw(header->origin[2], picture)};
   note_unknown(in, picture, header);
+  note_greys(in, picture, header);
   note_points(in, header);
   in->map_notes = in->note.count;
   pixels map;
   if (make_pixels(&map, picture, header, ground) != 0)
     return file_fault(why, header->image, 0, 0, "no memory for its pixels; scale the map down");
   int result = fill_cells(in, &map, header, why);
-  free(map.blocked);
+  free_pixels(&map);
   return result;
 }
 
@@ -281,6 +335,7 @@ int rosmap_read(input *in, const file_bytes *bytes, fault *why) {
   image picture;
   char named_by[INPUT_PATH_SIZE + 32];
   if (rosmap_read_header(&header, in->map, bytes, why)) return -1;
+  in->ground.has_greys = header.mode == ROSMAP_SCALE;
   snprintf(named_by, sizeof named_by, "%s:%d", in->map, header.image_line);
   if (file_read(&image_bytes, header.image, FILE_MAP_LIMIT, named_by, why)) return -1;
   static const enum image_alpha alpha_of[] = {IMAGE_ALPHA_AVERAGED, IMAGE_ALPHA_MARKED, IMAGE_ALPHA_IGNORED};

@@ -4,8 +4,9 @@
  * - trinary: p > occupied_thresh is occupied, p < free_thresh is free, all else unknown: both thresholds themselves are
  *   unknown. (nav2 up to Jazzy is strict like this; its later code lets the thresholds in, at the same default values
  *   with the same result.)
- * - scale: between the thresholds p is scaled to 0..100. What rounds to 0 is free, all above counts as occupied here:
- *   the planner knows no half-free cell, and `unknown: free` must not open it.
+ * - scale: between the thresholds p is scaled to 0..100. What rounds to 0 is free, all above counts as occupied here,
+ *   and `unknown: free` must not open it; unless the mission has a grey_cost: then it is ground that takes longer the
+ *   darker it is, and only what rounds to 100 is occupied.
  * - raw: v * 255 / maximum, rounded, is the occupancy: 0 free, 1..100 occupied here, above 100 unknown. No negate.
  *
  * Unknown pixels are free, or they are obstacles and grow like them. The grey that map savers write for unknown ground,
@@ -40,6 +41,9 @@ int rosmap_read_header(rosmap_header *header, const char *path, const file_bytes
 
 /* What a sample of an image with that maximum stands for. */
 enum rosmap_class rosmap_classify(const rosmap_header *header, int sample, int maximum);
+
+/* How far a grey of a map in scale mode is from free ground (0) to an obstacle (1); 0 in other modes. */
+double rosmap_greyness(const rosmap_header *header, int sample, int maximum);
 
 /* Fill the input's cells and frame, as in->ground wants them; in->map is the YAML's path. 0, or -1 with *fault set. */
 int rosmap_read(input *in, const file_bytes *bytes, fault *why);
