@@ -19,7 +19,7 @@
 QTR_C_BEGIN
 
 /* Of each cell: in the upper 4 bits the direction to go on in, below them the next cell of those that wait for the same
- * time. */
+ * time. Such cells are counted from 1: 0 is none. */
 #if QTR_MAX_CELLS < 4096
 typedef uint16_t qtr_field_cell;
 #else
@@ -31,10 +31,10 @@ typedef struct {
   uint8_t now;                    /* bucket */
   uint8_t direction;              /* in which neighbours are told */
   uint16_t empty;                 /* buckets in a row that held nothing: a whole turn of them is the end */
-  qtr_cell first;                 /* of the cells that are settled now */
-  qtr_cell at;                    /* the one whose neighbour is told next; QTR_NO_CELL: none */
+  qtr_cell first;                 /* of the cells that are settled now, from 1 on; 0: none */
+  qtr_cell at;                    /* the one whose neighbour is told next, likewise */
   uint32_t cells;                 /* of the grid that it is of */
-  qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: cells by the time at which they are settled, modulo its size */
+  qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: such cells by the time at which they are settled, modulo its size */
   qtr_field_cell cell[QTR_MAX_CELLS];
 } qtr_field;
 

@@ -78,13 +78,13 @@ int qtr_board_check(const qtr_board *board) {
   return QTR_OK;
 }
 
-static int check_seats(const qtr_board *board) {
+static bool seats_are_starts(const qtr_board *board) {
   for (unsigned i = 0; i < board->seekers; i++) {
     if (board->start_of[i] >= board->starts) {
-      return QTR_ERR_ARGUMENT;
+      return false;
     }
   }
-  return QTR_OK;
+  return true;
 }
 
 /* The base of the digit that a key has for steps that remain, on the way or until a seeker is ready; QTR_NEVER is no
@@ -129,28 +129,18 @@ static void find_kinds(qtr_board *board) {
   }
 }
 
-static int check_terms(const qtr_board *board) {
-  for (unsigned i = 0; i < board->seekers; i++) {
-    if (QTR_TERMS && (board->terms.class_of[i] >= qtr_board_classes(board))) {
-      return QTR_ERR_ARGUMENT;
+static bool classes_are_known(const qtr_board *board) {
+  for (unsigned i = 0; QTR_TERMS && (i < board->seekers); i++) {
+    if (board->terms.class_of[i] >= qtr_board_classes(board)) {
+      return false;
     }
   }
-  return QTR_OK;
+  return true;
 }
 
-int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
-  if (config_id != QTR_CONFIG_ID) {
-    return QTR_ERR_CONFIG;
-  }
-  int status = qtr_board_check(board);
-  if (status == QTR_OK) {
-    status = check_seats(board);
-  }
-  if (status == QTR_OK) {
-    status = check_terms(board);
-  }
-  if (status != QTR_OK) {
-    return status;
+int qtr_board_derive(qtr_board *board) {
+  if (!seats_are_starts(board) || !classes_are_known(board)) {
+    return QTR_ERR_ARGUMENT;
   }
   board->keys.places = board->places;
   board->keys.nodes = (uint16_t)qtr_board_nodes(board);
@@ -164,4 +154,12 @@ int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
   }
   qtr_key_measure(&board->keys);
   return QTR_OK;
+}
+
+int qtr_board_init_built(qtr_board *board, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) {
+    return QTR_ERR_CONFIG;
+  }
+  const int status = qtr_board_check(board);
+  return (status == QTR_OK) ? qtr_board_derive(board) : status;
 }

@@ -36,6 +36,10 @@ inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsi
  * QTR_ERR_ARGUMENT. */
 int qtr_board_check(const qtr_board *board);
 
+/* qtr_board_init() for a board that has been checked: looks at the rest, and derives what follows from it. QTR_OK;
+ * QTR_ERR_ARGUMENT, QTR_ERR_LIMIT. */
+int qtr_board_derive(qtr_board *board);
+
 /* What a table says of each seeker, from the board's seekers on: where it starts. 2 bytes each. */
 void qtr_board_load_seats(qtr_board *board, const uint8_t *bytes);
 void qtr_board_store_seats(const qtr_board *board, uint8_t *bytes);

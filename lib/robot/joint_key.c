@@ -5,15 +5,18 @@
 #include "core/apart.h"
 #include "quarter/status.h"
 
+/* By kind, then by node. */
+static uint32_t rank_of(const qtr_joint *joint, const qtr_key_shape *shape, unsigned seeker) {
+  return (QTR_TERMS ? ((uint32_t)shape->kind[seeker] << 16) : 0u) | joint->node[seeker];
+}
+
 static bool comes_before(const qtr_joint *joint, const qtr_key_shape *shape, unsigned i, unsigned other) {
-  if (shape->kind[i] != shape->kind[other]) {
-    return shape->kind[i] < shape->kind[other];
+  const uint32_t rank = rank_of(joint, shape, i);
+  const uint32_t others = rank_of(joint, shape, other);
+  if (rank != others) {
+    return rank < others;
   }
-  if (joint->node[i] != joint->node[other]) {
-    return joint->node[i] < joint->node[other];
-  }
-  return (joint->remaining[i] != joint->remaining[other]) ? (joint->remaining[i] < joint->remaining[other])
-                                                          : (i < other);
+  return joint->remaining[i] < (joint->remaining[other] + ((i < other) ? 1u : 0u));
 }
 
 unsigned qtr_joint_behind(const qtr_joint *joint, const qtr_key_shape *shape, unsigned seeker) {
@@ -43,8 +46,11 @@ void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_key_shape *sh
   }
   /* Visited are places of the board's. */
   QTR_ASSERT((key->word[shape->places / 32u] >> (shape->places % 32u)) == 0u);
-  const qtr_steps clock = (joint->now < shape->clock) ? joint->now : shape->clock;
-  const unsigned seekers_at = put(key, shape->places, clock, shape->clock_bits);
+  unsigned seekers_at = shape->places;
+  if (QTR_TERMS) {
+    const qtr_steps clock = (joint->now < shape->clock) ? joint->now : shape->clock;
+    seekers_at = put(key, seekers_at, clock, shape->clock_bits);
+  }
   const unsigned seeker_bits = (unsigned)shape->node_bits + shape->remaining_bits;
   /* No key is longer than was measured: the bits above it are the Q-table's. */
   QTR_ASSERT((seekers_at + (shape->seekers * seeker_bits)) == shape->bits);

@@ -7,6 +7,7 @@
 #include "core/crc.h"
 #include "quarter/status.h"
 #include "robot/bits.h"
+#include "robot/board.h"
 #include "robot/layout.h"
 
 /* ---- by the table ---- */
@@ -56,25 +57,37 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
 
 /* ---- off the table ---- */
 
-/* Whether `place` is the likelier one a step of travel: weight / steps compared without a division, in products that
- * fit 64 bits. A place on the spot (0 steps) beats all. */
-static bool is_likelier(const qtr_policy *policy, unsigned seeker, unsigned from, unsigned place, unsigned other) {
-  const qtr_steps steps = qtr_board_steps(&policy->board, seeker, from, place);
-  const qtr_steps others = qtr_board_steps(&policy->board, seeker, from, other);
-  return ((uint64_t)qtr_policy_weight(policy, place) * others) > ((uint64_t)qtr_policy_weight(policy, other) * steps);
+/* Of a place: its weight, and the steps to it. */
+typedef struct {
+  uint32_t weight;
+  qtr_steps steps;
+} rate;
+
+static uint64_t product(uint32_t a, uint32_t b) {
+  const uint32_t low = (a & 0xFFFFu) * (b & 0xFFFFu);
+  const uint32_t middle = ((a >> 16) * (b & 0xFFFFu)) + (low >> 16);
+  const uint32_t other = ((a & 0xFFFFu) * (b >> 16)) + (middle & 0xFFFFu);
+  const uint32_t high = ((a >> 16) * (b >> 16)) + (middle >> 16) + (other >> 16);
+  return ((uint64_t)high << 32) | ((other << 16) | (low & 0xFFFFu));
 }
 
 /* As in Smith's rule for the least weighted sum of times; of equal ones the lowest number, or robots would differ. */
 QTR_APART static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, int seeker,
                                          const qtr_places *choices) {
-  uint16_t best = QTR_STAND_DOWN;
-  for (uint16_t place = 0; place < policy->board.places; place++) {
-    if (place_is_in(choices, place) &&
-        ((best == QTR_STAND_DOWN) || is_likelier(policy, (unsigned)seeker, joint->node[seeker], place, best))) {
+  unsigned best = QTR_STAND_DOWN;
+  rate most = {0, 1};
+  for (unsigned place = 0; place < policy->board.places; place++) {
+    if (!place_is_in(choices, place)) {
+      continue;
+    }
+    const rate of = {qtr_policy_weight(policy, place),
+                     qtr_steps_between(&policy->board, (unsigned)seeker, joint->node[seeker], place)};
+    if (product(of.weight, most.steps) > product(most.weight, of.steps)) {
       best = place;
+      most = of;
     }
   }
-  return best;
+  return (uint16_t)best;
 }
 
 /* ---- the game ---- */

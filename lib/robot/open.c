@@ -63,10 +63,8 @@ static int read_features(qtr_policy *policy) {
 
 /* What the header says of terms: how many classes, and what the section of terms holds. */
 static void read_terms(qtr_policy *policy) {
-  qtr_terms *terms = &policy->board.terms;
-  bytes_clear(terms, sizeof *terms);
-  policy->terms = 0;
 #if QTR_TERMS
+  qtr_terms *terms = &policy->board.terms;
   if ((policy->features & QTR_FEATURE_TERMS) != 0) {
     const uint8_t *bytes = policy->bytes;
     policy->terms = bytes[QTR_POLICY_TERMS];
@@ -75,6 +73,8 @@ static void read_terms(qtr_policy *policy) {
     terms->by_home = (policy->terms & (unsigned)QTR_TERM_BY_HOME) != 0u;
     terms->anyone_may_leave = (policy->terms & (unsigned)QTR_TERM_LEAVE) != 0u;
   }
+#else
+  (void)policy;
 #endif
 }
 
@@ -116,7 +116,6 @@ static int read_dimensions(qtr_policy *policy) {
   policy->grid.rows = (uint16_t)qtr_load16(bytes + QTR_POLICY_ROWS);
   policy->grid.encoding = bytes[QTR_POLICY_GRID];
   policy->records = qtr_load32(bytes + QTR_POLICY_RECORDS);
-  policy->records_shape.bytes = 0; /* not known yet */
   read_terms(policy);
   board->places = (uint16_t)qtr_load16(bytes + QTR_POLICY_PLACES);
   board->seekers = bytes[QTR_POLICY_SEEKERS];
@@ -141,11 +140,11 @@ static int read_board(qtr_policy *policy) {
   qtr_board_load_seats(board, section_of(policy, SECTION_SEATS));
   board->steps = section_of(policy, SECTION_TRAVEL);
   find_terms(policy);
-  if (qtr_board_init(board) != QTR_OK) {
+  if (qtr_board_derive(board) != QTR_OK) {
     return QTR_ERR_CORRUPT;
   }
   policy->records_shape = record_shape_of(policy->format, board);
-  const unsigned key_words = (policy->records_shape.key_bytes + 3u) / 4u;
+  const unsigned key_words = is_format_1(policy->format) ? (policy->records_shape.key_bytes / 4u) : board->keys.words;
   return (key_words == policy->bytes[QTR_POLICY_KEY_WORDS]) ? QTR_OK : QTR_ERR_SELFTEST;
 }
 
@@ -164,6 +163,7 @@ int qtr_policy_open_built(qtr_policy *policy, const void *bytes, uint32_t size, 
   if (config_id != QTR_CONFIG_ID) {
     return QTR_ERR_CONFIG;
   }
+  bytes_clear(policy, (uint32_t)sizeof *policy);
   policy->bytes = (const uint8_t *)bytes;
   int status = read_format(policy, size);
   if (status == QTR_OK) {

@@ -61,18 +61,17 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
  * knows whether they were. */
 static void find_finished(qtr_seeker *seeker, bool is_first) {
   const qtr_division *division = &seeker->division;
-  qtr_seeker_set open = {{0}};
+  qtr_seeker_set closed = is_first ? (qtr_seeker_set){{0}} : seeker->done;
   for (unsigned i = 0; i < division->moves; i++) {
     if (!place_is_in(&seeker->visited, division->place[i])) {
-      set_add(&open, division->seeker[i]);
+      set_add(&closed, division->seeker[i]);
     }
   }
   for (unsigned t = 0; t < seekers_of(seeker); t++) {
-    if (set_has(&open, t) || (set_has(&seeker->done, t) && !is_first)) {
-      continue;
+    if (!set_has(&closed, t)) {
+      set_add(&seeker->done, t);
+      set_add(&seeker->unsaid, t);
     }
-    set_add(&seeker->done, t);
-    set_add(&seeker->unsaid, t);
   }
 }
 
@@ -238,20 +237,19 @@ void qtr_seeker_found(qtr_seeker *seeker) {
 /* What is heard is known, and not announced as one's own: done means scanned by whoever announces it. The count of
  * strangers stays at its greatest, where wrapping around would make it look well. */
 bool qtr_seeker_hear(qtr_seeker *seeker, const qtr_signal *signal) {
-  const bool is_found = signal->kind == QTR_SIGNAL_FOUND;
-  const bool is_done = (signal->kind == QTR_SIGNAL_TERRITORY_DONE) && (signal->territory < seekers_of(seeker));
   if ((signal->identity != seeker->identity) || (signal->run != seeker->run)) {
-    seeker->foreign += seeker->foreign < UINT32_MAX;
+    seeker->foreign += (seeker->foreign < UINT32_MAX) ? 1u : 0u;
     return false;
   }
-  if (is_found) {
+  if (signal->kind == QTR_SIGNAL_FOUND) {
     seeker->found = true;
-  }
-  if (is_done) {
+  } else if ((signal->kind == QTR_SIGNAL_TERRITORY_DONE) && (signal->territory < seekers_of(seeker))) {
     set_add(&seeker->done, signal->territory);
+  } else {
+    return false;
   }
-  seeker->settled = seeker->settled && !is_found && !is_done;
-  return is_found || is_done;
+  seeker->settled = false;
+  return true;
 }
 
 /* It moves no territory and takes no place away, so a seeker that is called lost by mistake costs ways, and never a

@@ -91,11 +91,14 @@ def emulate(folder, program, *options):
     return {name: int(number) for name, number in (line.split() for line in done.stdout.splitlines())}
 
 
-def image_measures(board, folder):
-    flash = {name: flash_of(board, folder / name) for name in ("loop", "loop_lto", "whole", "whole_lto")}
-    symbols = symbols_of(board, folder / "whole")
-    stack, way = call_graph.worst_stack(board.prefix + "objdump", folder / "whole", folder / "CMakeFiles" / "whole.dir", "loop")
-    painted = emulate(folder, "painted")["painted"]
+def image_measures(board, folder, terms):
+    """Of the images with or without the field's terms, as tests/sizes/CMakeLists.txt names them."""
+    kind = "terms" if terms else "plain"
+    flash = {name: flash_of(board, folder / f"{kind}_{name}") for name in ("loop", "loop_lto", "whole", "whole_lto")}
+    whole = f"{kind}_whole"
+    symbols = symbols_of(board, folder / whole)
+    stack, way = call_graph.worst_stack(board.prefix + "objdump", folder / whole, folder / "CMakeFiles" / f"{whole}.dir", "loop")
+    painted = emulate(folder, f"{kind}_painted")["painted"]
     if painted > stack:
         raise SystemExit(f"{board.title}: the loop went {painted} B deep, and its calls take {stack} B at most")
     return {

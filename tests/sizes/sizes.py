@@ -76,51 +76,71 @@ def table(header, rows):
     return "\n".join(lines + ["| " + " | ".join(number(cell) for cell in row) + " |" for row in rows]) + "\n"
 
 
-def board_rows(measured):
-    def row(title, key, aim):
-        return [title, *(measures[key] for measures in measured), aim]
+LOOP = "flash: README.md's loop, without save, restore, blocked"
+LINKED = "the same with link-time optimisation (`-flto`)"
+CALLED = "stack, worst: by the calls"
+WHOLE = "RAM: policy, seeker and field"
 
+
+def row(title, measured, key, aim=""):
+    return [title, *(measures[key] for measures in measured), aim]
+
+
+def board_rows(measured):
     divides = ["yes" if measures["divides"] else "no" for measures in measured]
     return [
-        row("flash: README.md's loop, without save, restore, blocked", "loop", "5,120"),
-        row("the same with link-time optimisation (`-flto`)", "loop_lto", "4,096"),
-        row("flash: save, restore, blocked and lost besides", "restart", "800"),
-        row("the same with link-time optimisation", "restart_lto", ""),
+        row(LOOP, measured, "loop", "5,120"),
+        row(LINKED, measured, "loop_lto", "4,096"),
+        row("flash: save, restore, blocked and lost besides", measured, "restart", "800"),
+        row(LINKED, measured, "restart_lto", "800"),
         ["software division is linked", *divides, "no"],
-        row("stack, worst: by the calls", "stack", "300"),
-        row("stack: painted, after the loop on an emulated board", "painted", ""),
-        row("RAM: `qtr_policy`", "policy", ""),
-        row("RAM: `qtr_seeker`", "seeker", ""),
-        row(f"RAM: `qtr_field`, {CELLS:,} cells", "field", f"{3 * CELLS:,}"),
-        row("RAM: all three", "ram", ""),
+        row(CALLED, measured, "stack", "300"),
+        row("stack: painted, after the loop on an emulated board", measured, "painted"),
+        row("RAM: `qtr_policy`", measured, "policy"),
+        row("RAM: `qtr_seeker`", measured, "seeker"),
+        row(f"RAM: `qtr_field`, {CELLS:,} cells", measured, "field", f"{3 * CELLS:,}"),
+        row(WHOLE, measured, "ram"),
+    ]
+
+
+def terms_rows(plain, terms):
+    """Each figure with the terms, and what they add to that without."""
+    rows = []
+    for title, key, aim in ((LOOP, "loop", "1,024"), (LINKED, "loop_lto", "1,024"), (CALLED, "stack", "64"), (WHOLE, "ram", "64")):
+        added = [{key: with_terms[key] - without[key]} for without, with_terms in zip(plain, terms)]
+        rows += [row(title, terms, key), row("&nbsp; more than without terms", added, key, aim)]
+    return rows + [
+        row("flash: save, restore, blocked and lost besides", terms, "restart"),
+        row(LINKED, terms, "restart_lto"),
+        row("stack: painted, after the loop on an emulated board", terms, "painted"),
     ]
 
 
 def count_rows(counted):
-    def row(title, key, aim=""):
-        return [title, *(counts[key] for counts in counted), aim]
+    def calls(title, key, aim=""):
+        return row(title, counted, key, aim)
 
     a_byte = [f"{counts['open_large'] / counts['open_large_bytes']:.1f}" for counts in counted]
     others = ("init", "visited", "blocked", "hear", "lost", "announce", "known", "standing", "left", "save", "restore", "target")
     large = counted[0]["open_large_bytes"]
     return [
         [f"open a table of {large:,} B (12 places, any of them cleared): a byte", *a_byte, "20"],
-        row("open a table of 16 places, 4 robots", "open_sixteen", "100,000"),
-        row("open a table of 26 places, 3 robots", "open_twenty_six"),
-        row("26 places: next choice, worst (`qtr_seeker_plan()`)", "plan", "15,000"),
+        calls("open a table of 16 places, 4 robots", "open_sixteen", "100,000"),
+        calls("open a table of 26 places, 3 robots", "open_twenty_six"),
+        calls("26 places: next choice, worst (`qtr_seeker_plan()`)", "plan", "15,000"),
         ["26 places: any other call, worst", *(max(counts[key] for key in others) for counts in counted), "30,000"],
-        *(row(f"&nbsp; `qtr_seeker_{key}()`", key) for key in others),
-        row("26 places: first question where nobody has called `qtr_seeker_plan()`", "asked"),
-        row(f"way over {CELLS:,} cells: `qtr_field_begin()`", "field_begin"),
-        row("way: `qtr_field_work()` of 50 steps, worst", "field_part", "caller's budget"),
-        row("way: all of it, worst", "field_whole"),
+        *(calls(f"&nbsp; `qtr_seeker_{key}()`", key) for key in others),
+        calls("26 places: first question where nobody has called `qtr_seeker_plan()`", "asked"),
+        calls(f"way over {CELLS:,} cells: `qtr_field_begin()`", "field_begin"),
+        calls("way: `qtr_field_work()` of 50 steps, worst", "field_part", "caller's budget"),
+        calls("way: all of it, worst", "field_whole"),
     ]
 
 
-def document(sizes, measured, counted):
+def document(sizes, plain, terms, counted):
     titles = [board.title for board in boards.BOARDS]
-    worst = max(measured, key=lambda measures: measures["stack"])
-    field = f"{measured[0]['field'] / CELLS:.2f}"
+    worst = max(terms, key=lambda measures: measures["stack"])
+    field = f"{plain[0]['field'] / CELLS:.2f}"
     beside_map = sizes["twenty_six"] - CELLS // 8
     return f"""# What it takes on a robot
 
@@ -129,12 +149,21 @@ def document(sizes, measured, counted):
 Under other versions, which give other numbers, the test is skipped. All is compiled by gcc -Os under the `mcu` profile:
 {CELLS:,} cells, 16 places, 4 robots. The last column is what the project aims at.
 
-## Bytes, board by board
+## Without the field's terms
 
-{table(["", *titles, "aim"], board_rows(measured))}
+Under `QTR_TERMS` 0: a table that makes use of classes, ready times, endurance, looks, a deadline or home is refused.
+
+{table(["", *titles, "aim"], board_rows(plain))}
 Flash is the loop of README.md with all of the library that it needs, and what that needs of C library and compiler; without a
 table, without start-up code, without the robot's own functions. The field takes {field} B a cell, of which each takes 2 (4
-from 4,096 cells on). The deepest way of all, on {titles[measured.index(worst)]}:
+from 4,096 cells on).
+
+## With the field's terms
+
+As the `mcu` profile has it, and what the terms cost.
+
+{table(["", *titles, "aim"], terms_rows(plain, terms))}
+The deepest way of all, on {titles[terms.index(worst)]}:
 {" > ".join(f"`{name}`" for name in worst["way"])}.
 
 ## Bytes of a table
@@ -186,12 +215,13 @@ def measure(options):
     boards.look_for_tools()
     tables = options.work / "tables"
     sizes = learn_all(options.tool, options.project, tables)
-    measured, counted = [], []
+    plain, terms, counted = [], [], []
     for board in boards.BOARDS:
         folder = boards.build(board, options.project, options.cmake, options.generator, options.work, tables)
-        measured.append(boards.image_measures(board, folder))
+        plain.append(boards.image_measures(board, folder, False))
+        terms.append(boards.image_measures(board, folder, True))
         counted += [boards.counts_of(folder)] if board in boards.COUNTED else []
-    return document(sizes, measured, counted)
+    return document(sizes, plain, terms, counted)
 
 
 def parse():
