@@ -69,6 +69,25 @@ static void test_what_no_robot_gets_to_is_told_and_not_counted(void) {
   expect_note("75 % of all lies where no robot gets to");
 }
 
+/* Behind the rough ground in the middle only drones get, and behind the wall nobody. */
+static void test_what_some_classes_alone_get_to_is_left_to_them_and_told(void) {
+  scratch_write("rough.txt", "..~.#.\n..~.#.\n");
+  scratch_write("p.asc", "ncols 6\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 0 0 3 0 4\n0 0 0 2 0 0\n");
+  scratch_write("m.yaml", "map: rough.txt\nplaces_raster: {file: p.asc, footprint: 1}\nclasses: {drone: {}, rover: "
+                          "{rough: false}}\nrobots: [{column: 0, row: 0, class: rover}, {column: 1, row: 0, class: "
+                          "drone}]\n");
+  scratch_read("m.yaml");
+  TEST_ASSERT_EQUAL_INT(3, scratch_input.mission.places);
+  expect_place(0, 3, 0, 3.0);
+  expect_note("40 % of all lies where no robot gets to, 1 tile around column 5, row 0");
+  expect_note("m.yaml:2: 2 places with 83.3 % of the likelihood within reach are left to drone: no other class");
+  scratch_write("m.yaml", "map: rough.txt\nplaces_raster: {file: p.asc, footprint: 1}\nclasses: {rover: "
+                          "{rough: false}}\nrobots: [{column: 0, row: 0, class: rover}]\n");
+  scratch_read("m.yaml");
+  TEST_ASSERT_EQUAL_INT(1, scratch_input.mission.places);
+  expect_note("90 % of all lies where no robot gets to, 3 tiles, the likeliest around column 5, row 0");
+}
+
 static void test_a_grid_says_where_it_lies(void) {
   /* Values of 2 cells a side, half of them left of the map; each covers a tile. */
   scratch_write("p.asc", "NCOLS 2\nNROWS 2\nXLLCENTER -1\nYLLCENTER 1\nCELLSIZE 2\n7 3\n5 1\n");
@@ -238,6 +257,7 @@ int main(void) {
   RUN_TEST(test_a_grid_becomes_a_place_a_tile_at_the_middle_of_its_mass);
   RUN_TEST(test_the_likeliest_tiles_are_taken_until_they_cover_the_share);
   RUN_TEST(test_what_no_robot_gets_to_is_told_and_not_counted);
+  RUN_TEST(test_what_some_classes_alone_get_to_is_left_to_them_and_told);
   RUN_TEST(test_a_grid_says_where_it_lies);
   RUN_TEST(test_values_are_shared_among_the_cells_under_them);
   RUN_TEST(test_no_data_is_no_likelihood);

@@ -4,8 +4,11 @@
 
 #include "host/input/input.h"
 
-/* A byte a cell, for free(): 1 for a free cell that a robot can get to or, where no robot stands on a free cell, for
- * any free one. NULL with no memory. */
-uint8_t *reach_mark(const input *in);
+/* Classes of robots, a bit each. */
+typedef uint64_t reach;
+
+/* For each cell, for free(): which classes have a robot that can get there, over ground that the class may enter. Where
+ * no robot stands on a free cell, all can get to any. NULL with no memory. */
+reach *reach_mark(const input *in);
 
 #endif

@@ -30,7 +30,7 @@ typedef struct {
   input *in;
   const input_options *options;
   fault *why;
-  uint8_t *ground;           /* 1: a free cell that a robot can get to; where no robot stands well, any free cell */
+  reach *ground;             /* who can get to each cell */
   bool *left_out;            /* places, by index */
   int places, robots, twins; /* that stay faulty */
   double farthest;           /* of them, in metres or cells as --snap takes them */

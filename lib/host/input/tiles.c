@@ -24,14 +24,15 @@ typedef struct {
   input *in;
   const tiles_settings *settings;
   fault *why;
-  uint8_t *ground; /* REACHED, TAKEN, or 0 */
+  reach *ground; /* who can get to each cell */
+  bool *taken;   /* another place stands in it */
   tile *tiles;
   size_t across, count; /* tiles side by side, and all */
+  size_t lost;          /* tiles that nobody gets to */
+  tile likeliest;       /* of these */
   double all, reached;  /* mass on the grid, and of tiles within reach */
-  int taken;            /* tiles, the first so many */
+  int taken_tiles;      /* the first so many */
 } work;
-
-enum { REACHED = 1, TAKEN = 2 };
 
 static size_t tile_of(const work *w, size_t cell) {
   const size_t columns = w->in->mission.columns, up = w->in->mission.rows - 1u - cell / columns;
@@ -61,8 +62,8 @@ static void sum_up(work *w) {
 
 static bool is_nearer(const work *w, const tile *it, size_t cell, double apart) {
   if (it->cell == QTR_NO_CELL) return true;
-  const uint8_t now = w->ground[it->cell], then = w->ground[cell];
-  return now != then ? then == REACHED : apart < it->apart - ROUNDING;
+  const bool now = w->taken[it->cell], then = w->taken[cell];
+  return now != then ? now : apart < it->apart - ROUNDING;
 }
 
 static void find_cells(work *w) {
@@ -88,8 +89,12 @@ static int compare(const void *a, const void *b) {
 /* Those within reach alone, in order. */
 static void sort_reached(work *w) {
   size_t kept = 0;
-  for (size_t i = 0; i < w->count; i++)
-    if (w->tiles[i].mass > 0.0 && w->tiles[i].cell != QTR_NO_CELL) w->tiles[kept++] = w->tiles[i];
+  for (size_t i = 0; i < w->count; i++) {
+    const tile *it = &w->tiles[i];
+    if (it->mass > 0.0 && it->cell != QTR_NO_CELL) w->tiles[kept++] = *it;
+    if (it->mass <= 0.0 || it->cell != QTR_NO_CELL) continue;
+    if (w->lost++ == 0 || it->mass > w->likeliest.mass) w->likeliest = *it;
+  }
   w->count = kept;
   qsort(w->tiles, kept, sizeof *w->tiles, compare);
   for (size_t i = 0; i < kept; i++) w->reached += w->tiles[i].mass;
@@ -132,42 +137,96 @@ static int take_share(work *w) {
                       "all of the likelihood lies where no robot gets to; check that it lies on the map as it should");
   while (tiles < w->count && mass < w->reached * (s->share - ROUNDING)) mass += w->tiles[tiles++].mass;
   if (tiles > left) return too_many(w, tiles, left);
-  w->taken = (int)tiles;
+  w->taken_tiles = (int)tiles;
   return 0;
 }
 
 static int add_places(work *w) {
   const bool metres = w->in->frame.metric;
-  for (int i = 0; i < w->taken; i++) {
+  for (int i = 0; i < w->taken_tiles; i++) {
     const input_site site = {.position = frame_centre(w->in, w->tiles[i].cell, metres), .weight = w->tiles[i].mass};
     if (sites_add_place(w->in, &site, w->settings->origin, w->why) != 0) return -1;
   }
   return 0;
 }
 
+/* ", in 3 tiles, the likeliest around x 3.5, y 2" */
+static void name_lost(char *out, size_t size, const work *w) {
+  char where[100];
+  const qtr_mission *mission = &w->in->mission;
+  const qtr_cell middle =
+      (qtr_cell)((size_t)lround(w->likeliest.row) * mission->columns + (size_t)lround(w->likeliest.column));
+  frame_name(where, sizeof where, frame_centre(w->in, middle, w->in->frame.metric));
+  snprintf(out, size, ", %s%s around %s", counted(w->lost, "tile").text, w->lost > 1 ? ", the likeliest" : "", where);
+}
+
+/* "drone, rover": the names of classes. False: all that have robots are among them. */
+static bool name_classes(char *out, size_t size, const input *in, reach who) {
+  bool all = true;
+  size_t used = 0;
+  out[0] = '\0';
+  for (int of = 0; of < in->mission.classes; of++) {
+    const char *name = in->terms.of_class[of].name;
+    bool has_robot = false;
+    for (int i = 0; i < in->mission.seekers; i++) has_robot = has_robot || in->mission.class_of[i] == of;
+    const bool among = (who >> of & 1u) != 0;
+    all = all && (among || !has_robot);
+    if (among && used < size)
+      used += (size_t)snprintf(out + used, size - used, "%s%s", used > 0 ? ", " : "",
+                               name[0] != '\0' ? name : "robots without a class");
+  }
+  return !all;
+}
+
+/* Places that some classes alone get to, once for each lot of classes. */
+static void note_classes(const work *w) {
+  for (int i = 0; i < w->taken_tiles; i++) {
+    const reach who = w->ground[w->tiles[i].cell];
+    char names[QTR_MAX_CLASSES * QTR_SITE_NAME_BYTES];
+    double mass = 0.0;
+    uint64_t count = 0;
+    bool told = !name_classes(names, sizeof names, w->in, who);
+    for (int other = 0; other < w->taken_tiles && !told; other++) {
+      if (w->ground[w->tiles[other].cell] != who) continue;
+      told = other < i;
+      mass += w->tiles[other].mass;
+      count++;
+    }
+    if (!told)
+      notes_add(&w->in->note,
+                "%s:%d: %s with %.3g %% of the likelihood within reach %s left to %.300s: no other class "
+                "gets there",
+                file_short_path(w->settings->path), w->settings->line, counted(count, "place").text,
+                100.0 * mass / w->reached, count == 1 ? "is" : "are", names);
+  }
+}
+
 static void note_cover(const work *w) {
   const tiles_settings *s = w->settings;
   const double all = w->all + s->off, out = w->all - w->reached;
-  char lost[200] = "";
+  char lost[400] = "", where[240] = "";
   size_t used = 0;
+  if (w->lost > 0) name_lost(where, sizeof where, w);
   if (out > all * ROUNDING)
-    used = (size_t)snprintf(lost, sizeof lost, "; %.3g %% of all lies where no robot gets to", 100.0 * out / all);
+    used =
+        (size_t)snprintf(lost, sizeof lost, "; %.3g %% of all lies where no robot gets to%s", 100.0 * out / all, where);
   if (s->off > all * 1e-9)
     snprintf(lost + used, sizeof lost - used, "; %.3g %% of all lies off the map", 100.0 * s->off / all);
   notes_add(&w->in->note, "%s:%d: %s of %zu tiles hold %.4g %% of the likelihood within reach%s",
-            file_short_path(s->path), s->line, counted((uint64_t)w->taken, "place").text, w->count,
-            100.0 * mass_of(w, (size_t)w->taken) / w->reached, lost);
+            file_short_path(s->path), s->line, counted((uint64_t)w->taken_tiles, "place").text, w->count,
+            100.0 * mass_of(w, (size_t)w->taken_tiles) / w->reached, lost);
 }
 
 static int add(work *w) {
   const qtr_mission *mission = &w->in->mission;
   for (int i = 0; i < mission->places; i++)
-    if (mission->place[i] != QTR_NO_CELL && w->ground[mission->place[i]] != 0) w->ground[mission->place[i]] = TAKEN;
+    if (mission->place[i] != QTR_NO_CELL) w->taken[mission->place[i]] = true;
   sum_up(w);
   find_cells(w);
   sort_reached(w);
   if (take_share(w) != 0 || add_places(w) != 0) return -1;
   note_cover(w);
+  note_classes(w);
   return 0;
 }
 
@@ -177,10 +236,13 @@ int tiles_add(input *in, const tiles_settings *settings, fault *why) {
   w.count = w.across * (size_t)ceil(in->mission.rows / settings->side);
   w.ground = reach_mark(in);
   w.tiles = memory_take(w.count * sizeof *w.tiles, why);
-  const int result = w.ground == NULL  ? file_fault(why, settings->path, settings->line, 0, "no memory for the tiles")
-                     : w.tiles == NULL ? -1
-                                       : add(&w);
+  w.taken = memory_take(qtr_mission_cells(&in->mission) * sizeof *w.taken, why);
+  const bool has_memory = w.tiles != NULL && w.taken != NULL;
+  const int result = w.ground == NULL ? file_fault(why, settings->path, settings->line, 0, "no memory for the tiles")
+                     : has_memory     ? add(&w)
+                                      : -1;
   free(w.ground);
+  free(w.taken);
   free(w.tiles);
   return result;
 }

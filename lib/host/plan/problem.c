@@ -71,12 +71,23 @@ static void drop_unreachable(problem *p) {
   mission->places = kept;
 }
 
+/* A class that some places or ground are barred to. */
+static bool has_choosy_class(const qtr_mission *mission) {
+  for (int of = 0; of < mission->classes; of++) {
+    if (mission->robot_class[of].smooth_only) return true;
+    for (unsigned place = 0; place < mission->places; place++)
+      if (qtr_places_has(&mission->robot_class[of].avoided, place)) return true;
+  }
+  return false;
+}
+
 static int handle_unreachable(problem *p, const plan_config *config, fault *why) {
   char names[NAMES_SIZE];
   name_unreachable(p, names);
   if (!config->reading.skip)
-    return fault_set(why, "%s: no seeker can reach %s; move or remove them, or leave them out with --skip-unreachable",
-                     p->in.path, names);
+    return fault_set(
+        why, "%s: no seeker can reach %s; move or remove them%s, or leave them out with --skip-unreachable", p->in.path,
+        names, has_choosy_class(&p->in.mission) ? ", let a class go there (its avoid, or its \"rough: false\")" : "");
   drop_unreachable(p);
   if (p->in.mission.places == 0)
     return fault_set(why, "%s: no seeker can reach any place; move the starts or the places", p->in.path);
