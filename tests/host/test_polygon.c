@@ -117,6 +117,26 @@ static void make(int corners, const double (*at)[2]) {
   for (int i = 0; i < corners; i++) polygon_add(&p, (frame_point){at[i][0], at[i][1]});
 }
 
+/* Of a fine grid around the map. */
+static void test_areas_are_those_of_many_points(void) {
+  enum { FINE = 10, AROUND = 7 }; /* points a cell's side, and cells around the map */
+  char wrong[POLYGON_WRONG];
+  for (unsigned i = 0; i < 100; i++) {
+    test_random random = random_case("areas", i);
+    double on = 0.0, whole = 0.0;
+    make_star(&random);
+    if (polygon_check(&p, wrong) != NULL) continue;
+    for (int x = -AROUND * FINE; x < (COLUMNS + AROUND) * FINE; x++)
+      for (int y = -AROUND * FINE; y < (ROWS + AROUND) * FINE; y++) {
+        if (!is_inside((x + 0.5) / FINE, (y + 0.5) / FINE)) continue;
+        whole += 1.0 / (FINE * FINE);
+        if (x >= 0 && y >= 0 && x < COLUMNS * FINE && y < ROWS * FINE) on += 1.0 / (FINE * FINE);
+      }
+    TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(0.3, whole, polygon_area(&p), case_note);
+    TEST_ASSERT_DOUBLE_WITHIN_MESSAGE(0.3, on, polygon_area_on(&p, &mission), case_note);
+  }
+}
+
 static void test_polygons_that_cross_or_touch_themselves_are_told(void) {
   static const double bow[][2] = {{0, 0}, {2, 2}, {2, 0}, {0, 2}}, spike[][2] = {{0, 0}, {4, 0}, {2, 0}, {2, 2}},
                       touch[][2] = {{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}},
@@ -136,6 +156,7 @@ static void test_polygons_that_cross_or_touch_themselves_are_told(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_cells_are_those_that_points_fall_into);
+  RUN_TEST(test_areas_are_those_of_many_points);
   RUN_TEST(test_polygons_that_cross_or_touch_themselves_are_told);
   return UNITY_END();
 }

@@ -75,6 +75,27 @@ static void test_polygons_are_spread_over_tiles(void) {
   expect_place(4, 4, 3, 2.0);
 }
 
+static double sum_of_weights(void) {
+  double sum = 0.0;
+  for (int place = 0; place < scratch_input.mission.places; place++) sum += scratch_input.mission.weight[place];
+  return sum;
+}
+
+/* The map is 6 x 4; of the area of 4 x 2, with a hole of 1 x 1 in what lies off it, 4 of 7 are on it. */
+static void test_of_an_area_that_leaves_the_map_a_part_counts(void) {
+  scratch_write("p.json", FILE_OF(FEATURE("Polygon",
+                                          "[[[4,0],[8,0],[8,2],[4,2],[4,0]],[[6.5,0.5],[7.5,0.5],[7.5,1.5],[6.5,1.5],"
+                                          "[6.5,0.5]]]",
+                                          "{\"POA\":7}")));
+  scratch_read("m.yaml");
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9, 4.0, sum_of_weights());
+  TEST_ASSERT_NOT_NULL(strstr(scratch_input.note.text[0], "42.9 % of all lies off the map"));
+  scratch_write("p.json", FILE_OF(FEATURE("Polygon", "[[[4,0],[6,0],[6,4],[4,4],[4,0]]]", "{\"POA\":7}")));
+  scratch_read("m.yaml");
+  TEST_ASSERT_DOUBLE_WITHIN(1e-9, 7.0, sum_of_weights());
+  TEST_ASSERT_NULL(strstr(scratch_input.note.text[0], "off the map"));
+}
+
 static void test_a_feature_or_geometry_alone_is_read(void) {
   scratch_write("p.json",
                 "{\"type\":\"Point\",\"coordinates\":[1.5,0.5],\"crs\":{\"properties\":{\"name\":\"local\"}}}");
@@ -130,7 +151,12 @@ static void test_exchanged_coordinates_are_suspected(void) {
   scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.6,52.6]", "{}")));
   scratch_refuse("globe.yaml", "p.json:1", "lies outside the map", "move");
   scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.6,95]", "{}")));
+  scratch_refuse("globe.yaml", "p.json:1", "no point of the globe", "they seem exchanged");
+  scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[193.6,52]", "{}")));
   scratch_refuse("globe.yaml", "p.json:1", "no point of the globe", "mend");
+  scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.6,48]", "{}"))); /* hundreds of kilometres off */
+  scratch_refuse("globe.yaml", "p.json:1", "lies outside the map", "check the mission's geo");
+  TEST_ASSERT_NULL_MESSAGE(strstr(scratch_fault.text, "--snap"), scratch_fault.text);
 }
 #endif
 
@@ -170,6 +196,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_points_are_places_with_weights_and_names);
   RUN_TEST(test_polygons_are_spread_over_tiles);
+  RUN_TEST(test_of_an_area_that_leaves_the_map_a_part_counts);
   RUN_TEST(test_a_feature_or_geometry_alone_is_read);
   RUN_TEST(test_no_go_areas_of_a_file);
   RUN_TEST(test_degrees_need_an_origin);

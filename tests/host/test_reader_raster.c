@@ -88,6 +88,13 @@ static void test_what_some_classes_alone_get_to_is_left_to_them_and_told(void) {
   expect_note("90 % of all lies where no robot gets to, 3 tiles, the likeliest around column 5, row 0");
 }
 
+/* Values of 2 cells a side over the left third of the map's lower half. */
+static void test_a_grid_that_leaves_ground_out_is_told(void) {
+  scratch_write("p.asc", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 2\n7\n");
+  scratch_read("m.yaml");
+  expect_note("p.asc: covers 16.7 % of the map: elsewhere there is no likelihood");
+}
+
 static void test_a_grid_says_where_it_lies(void) {
   /* Values of 2 cells a side, half of them left of the map; each covers a tile. */
   scratch_write("p.asc", "NCOLS 2\nNROWS 2\nXLLCENTER -1\nYLLCENTER 1\nCELLSIZE 2\n7 3\n5 1\n");
@@ -258,6 +265,7 @@ int main(void) {
   RUN_TEST(test_the_likeliest_tiles_are_taken_until_they_cover_the_share);
   RUN_TEST(test_what_no_robot_gets_to_is_told_and_not_counted);
   RUN_TEST(test_what_some_classes_alone_get_to_is_left_to_them_and_told);
+  RUN_TEST(test_a_grid_that_leaves_ground_out_is_told);
   RUN_TEST(test_a_grid_says_where_it_lies);
   RUN_TEST(test_values_are_shared_among_the_cells_under_them);
   RUN_TEST(test_no_data_is_no_likelihood);

@@ -2,6 +2,7 @@
 #include "support/tool_run.h"
 
 #include <math.h>
+#include <unistd.h>
 
 #define MAP "map: ground.txt\ncell_size: 2\n"
 #define PLACES                                                                                                         \
@@ -118,7 +119,9 @@ static void test_missions_without_terms_are_told_in_steps(void) {
 
 static void refuse(const char *mission, const char *options, const char *what, const char *mend) {
   write_file("m.yaml", mission);
-  run_tool(&learnt, "learn m.yaml %s", options);
+  run_tool(&learnt, "learn m.yaml %s -o none.qtr --json=none.json --curve none.csv", options);
+  TEST_ASSERT_TRUE_MESSAGE(access("none.qtr", F_OK) != 0 && access("none.json", F_OK) != 0, options);
+  TEST_ASSERT_TRUE_MESSAGE(access("none.csv", F_OK) != 0, options);
   TEST_ASSERT_EQUAL_INT_MESSAGE(2, learnt.status, learnt.err);
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(learnt.err, "quarter: m.yaml"), learnt.err);
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(learnt.err, what), learnt.err);
@@ -135,6 +138,9 @@ static void test_ends_before_anything_can_be_searched(void) {
          "", "the nearest, place 2 (m.yaml:6), takes it 15 s there and back, and its endurance is 10 s",
          "raise endurance_seconds");
   refuse(MAP ONE PLACES, "--objective deadline", "none is given", "deadline_seconds: 600");
+  /* What there is is told as it was stated, not as it is rounded: steps are of 2 s. */
+  refuse(MAP ONE "speed: 1\nobjective: deadline\ndeadline_seconds: 0.5\nplaces: [{column: 2, row: 0}]\n", "",
+         "is searched after 4 s, and the deadline is 0.5 s", "a later deadline_seconds");
 }
 
 static void test_one_robot_that_can_search_nothing_is_warned_of(void) {
@@ -146,6 +152,20 @@ static void test_one_robot_that_can_search_nothing_is_warned_of(void) {
   write_mission("", "", "");
   run_tool(&learnt, "learn m.yaml --json");
   TEST_ASSERT_EQUAL_STRING("", learnt.err);
+}
+
+static void test_looks_that_are_of_no_use_are_told(void) {
+  write_file("m.yaml", MAP ONE "looks: 2\nscan_seconds: 1\nplaces: [{column: 2, row: 0}, {column: 3, row: 0}]\n");
+  run_tool(&learnt, "learn m.yaml --json");
+  TEST_ASSERT_EQUAL_INT(0, learnt.status);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(learnt.err, "the first finds all that is there"), learnt.err);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(learnt.err, "detection: 0.8"), learnt.err);
+}
+
+static void test_a_finer_step_is_proposed_in_round_figures(void) {
+  write_file("m.yaml", MAP ONE "speed: 1\nscan_seconds: 3\nplaces: [{column: 2, row: 0}]\n");
+  run_tool(&learnt, "learn m.yaml");
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(learnt.err, "\"step_seconds: 0.05\" is finer"), learnt.err);
 }
 
 static void test_a_class_of_nobody_is_warned_of(void) {
@@ -170,7 +190,7 @@ static void test_what_cannot_be_played(void) {
   refuse(MAP ONE "scan_seconds: 1\nplaces: [{column: 2, row: 0, detection: 0.1, looks: 255}, {column: 3, row: 0, "
                  "detection: 0.1, looks: 255}]\n",
          "", "2 places with their looks are 510", "QTR_MAX_PLACES");
-  refuse(MAP ONE PLACES "scan_seconds: 1\nspeed: 0.0001\n", "", "takes 2e+04 s for a cell of 2 m", "mend its speed");
+  refuse(MAP ONE PLACES "scan_seconds: 1\nspeed: 0.0001\n", "", "takes 20000 s for a cell of 2 m", "mend its speed");
 }
 
 static void test_what_is_not_for_terms(void) {
@@ -236,6 +256,8 @@ int main(void) {
   RUN_TEST(test_missions_without_terms_are_told_in_steps);
   RUN_TEST(test_ends_before_anything_can_be_searched);
   RUN_TEST(test_one_robot_that_can_search_nothing_is_warned_of);
+  RUN_TEST(test_looks_that_are_of_no_use_are_told);
+  RUN_TEST(test_a_finer_step_is_proposed_in_round_figures);
   RUN_TEST(test_a_class_of_nobody_is_warned_of);
   RUN_TEST(test_what_cannot_be_played);
   RUN_TEST(test_what_is_not_for_terms);

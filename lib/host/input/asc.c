@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -54,7 +55,10 @@ static int word_fault(const words *w, const char *what) {
 
 static int take_number(double *out, const words *w) {
   const char *wrong = text_number(out, w->word.text, w->word.length);
-  return wrong == NULL ? 0 : word_fault(w, wrong);
+  char text[120];
+  if (wrong == NULL) return 0;
+  snprintf(text, sizeof text, "%s; give a number (NODATA_value stands for none)", wrong);
+  return word_fault(w, text);
 }
 
 /* ---- the header ---- */

@@ -118,8 +118,11 @@ static int take_degrees(geojson *g, tree_node *node, const double given[2], inpu
                       "[%.9g, %.9g] lies off the map, and on it with latitude and longitude exchanged; GeoJSON has the "
                       "longitude first: write [%.9g, %.9g]",
                       given[0], given[1], given[1], given[0]);
-  if (locate(g, given[1], given[0], out)) return 0;
-  return tree_fault(&g->file, node, "longitude %g, latitude %g is no point of the globe; mend it", given[0], given[1]);
+  if (fabs(given[1]) <= 90.0 && fabs(given[0]) <= 180.0 && locate(g, given[1], given[0], out)) return 0;
+  return tree_fault(&g->file, node, "longitude %g, latitude %g is no point of the globe; %s", given[0], given[1],
+                    fabs(given[0]) <= 90.0 && fabs(given[1]) > 90.0
+                        ? "they seem exchanged: GeoJSON has the longitude first"
+                        : "mend it");
 }
 
 int geojson_position(geojson *g, tree_node *coordinates, input_position *out) {
@@ -159,6 +162,8 @@ static int mark_ring(geojson *g, const geojson_feature *f, tree_node *ring, uint
   const qtr_mission *mission = &g->in->mission;
   memset(found, 0, qtr_mission_cells(mission));
   if (read_ring(&p, g, f, ring)) return -1;
+  g->area += (hole ? -1.0 : 1.0) * polygon_area(&p);
+  g->area_on += (hole ? -1.0 : 1.0) * polygon_area_on(&p, mission);
   if ((hole || middles) && polygon_mark(found, &p, mission, middles ? POLYGON_MIDDLES : POLYGON_HOLDS) > 0) return 0;
   if (hole || polygon_mark(found, &p, mission, POLYGON_CUTS) > 0) return 0;
   frame_span(span, sizeof span, g->in, true);
@@ -196,6 +201,7 @@ long geojson_mark(geojson *g, const geojson_feature *f, uint8_t *mask, bool midd
   long count = 0;
   if (masks[1] == NULL) return -1;
   memset(mask, 0, cells);
+  g->area = g->area_on = 0.0;
   const int result = mark_all(g, f, masks, middles);
   free(masks[1]);
   for (size_t cell = 0; cell < cells; cell++) count += mask[cell];

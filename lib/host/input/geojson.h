@@ -9,7 +9,8 @@
 typedef struct {
   const input *in;
   tree file;
-  projection *globe; /* NULL: coordinates are metres in the map frame */
+  projection *globe;    /* NULL: coordinates are metres in the map frame */
+  double area, area_on; /* of what was marked last, in cells: all of it, and what of it lies on the map */
 } geojson;
 
 typedef struct {

@@ -15,6 +15,7 @@ typedef struct {
   double footprint; /* 0: none is given */
   double *mass;     /* of the cells of polygons */
   uint8_t *mask;
+  double off; /* mass of polygons that lies off the map */
   bool areas; /* there are any */
 } reading;
 
@@ -55,6 +56,12 @@ static int add_point(reading *r, geojson *g, const geojson_feature *f) {
   return sites_add_place(r->in, &stated.it, origin, g->file.why);
 }
 
+/* Of an area. One that cells cover but for rounding lies on the map as a whole. */
+static double share_on_map(const geojson *g) {
+  const double share = g->area > 0.0 ? g->area_on / g->area : 1.0;
+  return share > 0.0 && share < 1.0 - 1e-9 ? share : 1.0;
+}
+
 static int add_area(reading *r, geojson *g, const geojson_feature *f) {
   const size_t cells = qtr_mission_cells(&r->in->mission);
   mission_site stated;
@@ -66,8 +73,10 @@ static int add_area(reading *r, geojson *g, const geojson_feature *f) {
   if (read_properties(&stated, g, f)) return -1;
   const long count = geojson_mark(g, f, r->mask, true);
   if (count < 0) return -1;
+  const double on = share_on_map(g), weight = stated.it.weight;
   for (size_t cell = 0; cell < cells; cell++)
-    if (r->mask[cell] != 0) r->mass[cell] += stated.it.weight / (double)count;
+    if (r->mask[cell] != 0) r->mass[cell] += weight * on / (double)count;
+  r->off += weight * (1.0 - on);
   r->areas = true;
   return 0;
 }
@@ -82,6 +91,7 @@ static int add_feature(void *context, geojson *g, const geojson_feature *f) {
 static int add_tiles(reading *r, const mission_raster *key, tree *yaml, tree_node *node) {
   const input_origin origin = {INPUT_FROM_MISSION, tree_line(node), 0};
   const tiles_settings settings = {.mass = r->mass,
+                                   .off = r->off,
                                    .side = key->footprint / r->in->frame.cell_size,
                                    .share = key->share,
                                    .path = yaml->path,

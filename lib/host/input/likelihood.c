@@ -38,12 +38,27 @@ static double sum_of(const double *mass, size_t cells) {
   return sum;
 }
 
+static double overlap(double from, double length, double most) {
+  return fmax(0.0, fmin(from + length, most) - fmax(from, 0.0)) / most;
+}
+
+/* A grid that leaves a part of the map out says nothing of it, which may be meant. */
+static void note_uncovered(input *in, const raster *it, const overlay *over, const char *path) {
+  const qtr_mission *m = &in->mission;
+  const double covered = overlap(over->left, over->across * it->columns, m->columns) *
+                         overlap(over->bottom, over->upward * it->rows, m->rows);
+  if (covered < 0.995)
+    notes_add(&in->note, "%s: covers %.3g %% of the map: elsewhere there is no likelihood", file_short_path(path),
+              100.0 * covered);
+}
+
 static int add_tiles(input *in, const raster *it, const mission_raster *key, tree *yaml, tree_node *node) {
   const size_t cells = qtr_mission_cells(&in->mission);
   const int line = tree_line(node);
   overlay over;
   double sum;
   if (check_values(it, key->file, &sum, yaml->why) || overlay_find(&over, it, in, key->file, yaml->why)) return -1;
+  note_uncovered(in, it, &over, key->file);
   double *mass = memory_take(cells * sizeof *mass, yaml->why);
   if (mass == NULL) return -1;
   overlay_each(&over, it, in, add_mass, mass);

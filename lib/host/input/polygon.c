@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- corners ---- */
 
@@ -137,4 +138,55 @@ size_t polygon_mark(uint8_t *mask, const polygon *p, const qtr_mission *mission,
   for (int edge = 0; edge < p->corners && which != POLYGON_MIDDLES; edge++)
     mark_edge(&m, p->corner[edge], end_of(p, edge));
   return m.count;
+}
+
+/* ---- areas ---- */
+
+static double area_of(const frame_point *corner, int corners) {
+  double twice = 0.0;
+  for (int i = 0; i < corners; i++) twice += turn(corner[0], corner[i], corner[(i + 1) % corners]);
+  return fabs(twice) / 2.0;
+}
+
+double polygon_area(const polygon *p) {
+  return area_of(p->corner, p->corners);
+}
+
+/* A corner's way into the half of the plane that is kept: 0 or more. */
+typedef struct {
+  bool vertical; /* the line that bounds it */
+  double at, sign;
+} half_plane;
+
+static double depth(const half_plane *h, frame_point p) {
+  return h->sign * ((h->vertical ? p.across : p.up) - h->at);
+}
+
+static frame_point crossing(const half_plane *h, frame_point a, frame_point b) {
+  const double t = depth(h, a) / (depth(h, a) - depth(h, b));
+  return (frame_point){a.across + t * (b.across - a.across), a.up + t * (b.up - a.up)};
+}
+
+/* Sutherland and Hodgman: what of a polygon lies in a half of the plane. Where that is in parts, lines of no area join
+ * them. */
+static int keep_half(frame_point *out, const frame_point *in, int corners, const half_plane *h) {
+  int count = 0;
+  for (int i = 0; i < corners; i++) {
+    const frame_point a = in[i], b = in[(i + 1) % corners];
+    const bool from = depth(h, a) >= 0.0, to = depth(h, b) >= 0.0;
+    if (from) out[count++] = a;
+    if (from != to) out[count++] = crossing(h, a, b);
+  }
+  return count;
+}
+
+/* Each half adds a corner for every second one at most. */
+double polygon_area_on(const polygon *p, const qtr_mission *mission) {
+  static frame_point kept[2][6 * POLYGON_CORNERS];
+  const half_plane sides[4] = {
+      {true, 0.0, 1.0}, {true, mission->columns, -1.0}, {false, 0.0, 1.0}, {false, mission->rows, -1.0}};
+  int corners = p->corners;
+  memcpy(kept[0], p->corner, (size_t)corners * sizeof kept[0][0]);
+  for (int i = 0; i < 4; i++) corners = keep_half(kept[(i + 1) % 2], kept[i % 2], corners, &sides[i]);
+  return corners > 0 ? area_of(kept[0], corners) : 0.0;
 }

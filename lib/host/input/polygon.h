@@ -28,4 +28,8 @@ enum polygon_cells {
 /* Set mask[cell] of the polygon's cells, all others being 0; how many they are. It must have passed polygon_check(). */
 size_t polygon_mark(uint8_t *mask, const polygon *p, const qtr_mission *mission, enum polygon_cells which);
 
+/* Its area in cells, and that of what lies on the map. */
+double polygon_area(const polygon *p);
+double polygon_area_on(const polygon *p, const qtr_mission *mission);
+
 #endif

@@ -34,6 +34,7 @@ typedef struct {
   bool *left_out;            /* places, by index */
   int places, robots, twins; /* that stay faulty */
   double farthest;           /* of them, in metres or cells as --snap takes them */
+  bool far;                  /* one of them is nowhere near the map */
 } work;
 
 static site start_site(const input *in, int i) {
@@ -90,6 +91,16 @@ static double snap_length(const input *in, double cells) {
 
 /* ---- what is said ---- */
 
+/* Farther off than one end of the map from the other: moving it there is no mend. */
+static bool is_far(const input *in, double cells) {
+  return cells > hypot(in->mission.columns, in->mission.rows);
+}
+
+/* Whether a position off the map lies on it when its two numbers change places. */
+static bool is_exchanged(const input *in, input_position position) {
+  return frame_cell(in, (input_position){position.metres, position.y, position.x}) != QTR_NO_CELL;
+}
+
 /* "place 3 stands on an obstacle, at column 0, row 4" */
 static void name_trouble(char *out, size_t size, const input *in, const site *it) {
   const char *what = it->place ? "place" : "robot";
@@ -97,7 +108,10 @@ static void name_trouble(char *out, size_t size, const input *in, const site *it
   frame_name(position, sizeof position, it->position);
   if (it->cell == QTR_NO_CELL) {
     frame_span(rest, sizeof rest, in, it->position.metres);
-    snprintf(out, size, "%s %s: %s lies outside the map, %s", what, it->label.text, position, rest);
+    snprintf(out, size, "%s %s: %s lies outside the map, %s%s", what, it->label.text, position, rest,
+             !is_exchanged(in, it->position) ? ""
+             : it->position.metres           ? ", and inside with x and y exchanged"
+                                             : ", and inside with column and row exchanged");
     return;
   }
   if (in->ground.robot_radius > 0.0)
@@ -112,7 +126,7 @@ static void name_nearest(char *out, size_t size, const input *in, const site *it
   frame_name(where, sizeof where, frame_centre(in, it->nearest, it->position.metres));
   const double length = snap_length(in, it->apart);
   if (it->position.metres)
-    snprintf(out, size, "%s, %.3g m away", where, length);
+    snprintf(out, size, length < 1000.0 ? "%s, %.3g m away" : "%s, %.0f m away", where, length);
   else
     snprintf(out, size, "%s, %s away", where, measured(snap_length(in, it->apart / in->frame.cell_size), "cell").text);
 }
@@ -132,7 +146,10 @@ static void complain_of(work *w, const site *it) {
     snprintf(text, sizeof text, "%s; no free cell is left for it: drop it", trouble);
   } else {
     name_nearest(nearest, sizeof nearest, w->in, it);
-    snprintf(text, sizeof text, "%s; move it to a free cell, the nearest is %s", trouble, nearest);
+    const bool degrees = is_far(w->in, it->apart) && it->origin.source == INPUT_FROM_GEOJSON && w->in->geo.given;
+    snprintf(text, sizeof text, "%s; %smove it to a free cell, the nearest is %s", trouble,
+             degrees ? "check the mission's geo, or " : "", nearest);
+    w->far = w->far || is_far(w->in, it->apart);
     w->farthest = fmax(w->farthest, snap_length(w->in, it->apart));
   }
   complain(w, it, text);
@@ -205,16 +222,22 @@ static void name_who(char *out, size_t size, const work *w) {
     snprintf(out, size, "%s and %s are", counted((uint64_t)places, "place").text, robots.text);
 }
 
+static void name_mends(char *out, size_t size, const work *w, const char *them) {
+  const char *places = w->robots > 0 ? " (places)" : "";
+  const int used = w->far ? 0 : snprintf(out, size, ", or have %s moved by --snap %.3g", them, w->farthest);
+  if (w->places > 0 && w->far)
+    snprintf(out, size, ", or have %s left out by --skip-unreachable%s", them, places);
+  else if (w->places > 0)
+    snprintf(out + used, size - (size_t)used, ", or left out by --skip-unreachable%s", places);
+}
+
 /* The headline above several lines; a single line gets its mends at its end. */
 static int sum_up(work *w) {
   const int off = w->places + w->robots, all = off + w->twins;
   const char *them = all == 1 ? "it" : "them";
   char mends[200] = "", who[160], *lines = NULL;
   if (all == 0) return 0;
-  if (off > 0)
-    snprintf(mends, sizeof mends, ", or have %s moved by --snap %.3g%s%s", them, w->farthest,
-             w->places > 0 ? ", or left out by --skip-unreachable" : "",
-             w->places > 0 && w->robots > 0 ? " (places)" : "");
+  if (off > 0) name_mends(mends, sizeof mends, w, them);
   if (all == 1) { /* the text so far is an empty line and that one */
     memmove(w->why->text, w->why->text + 1, strlen(w->why->text));
     strncat(w->why->text, mends, FAULT_SIZE - 1 - strlen(w->why->text));

@@ -39,6 +39,13 @@ static bool has_tab_indent(const file_bytes *bytes, long line) {
   return false;
 }
 
+/* What the text was meant to be: JSON is YAML, too. */
+static const char *meant_as(const file_bytes *bytes) {
+  size_t i = 0;
+  while (i < bytes->size && strchr(" \t\r\n", bytes->data[i]) != NULL) i++;
+  return i < bytes->size && bytes->data[i] == '{' ? "JSON" : "YAML";
+}
+
 static int syntax_fault(tree *yaml, const yaml_parser_t *parser, const file_bytes *bytes) {
   const char *problem = parser->problem != NULL ? parser->problem : "unknown";
   const long line = (long)parser->problem_mark.line + 1;
@@ -47,11 +54,12 @@ static int syntax_fault(tree *yaml, const yaml_parser_t *parser, const file_byte
     return file_fault(yaml->why, yaml->path, 0, 0, "is not YAML text: %s at byte %zu; check that it is the right file",
                       problem, parser->problem_offset);
   }
-  if (has_tab_indent(bytes, line))
+  const char *meant = meant_as(bytes);
+  if (meant[0] == 'Y' && has_tab_indent(bytes, line))
     return file_fault(yaml->why, yaml->path, line, 0,
                       "the line is indented by a tab, which YAML does not take; use blanks instead");
   return file_fault(yaml->why, yaml->path, line, (long)parser->problem_mark.column + 1,
-                    "not valid YAML: %s; mend the line or the one above it", problem);
+                    "not valid %s: %s; mend the line or the one above it", meant, problem);
 }
 
 /* That no second document follows. */

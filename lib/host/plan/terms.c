@@ -7,6 +7,7 @@
 #include "host/plan/power.h"
 
 #define LONGEST_STEP 4000.0 /* seconds: a table counts microseconds in 32 bits */
+#define SHORTEST_STEP 0.001 /* that step_seconds takes */
 #define CELL_STEPS_MOST 65535u
 
 /* ---- classes ---- */
@@ -59,7 +60,7 @@ static int choose_step(input *in, pace *p, fault *why) {
   pace_choose(p, steps, seconds, mission->classes, in->terms.step_seconds);
   if (p->seconds_per_step > LONGEST_STEP || p->seconds_per_step < 1e-5)
     return file_fault(why, in->path, 0, 0,
-                      "a robot%s takes %.3g s for a cell of %g m, and steps are of 0.00001 to %g s; mend its speed",
+                      "a robot%s takes %.6g s for a cell of %g m, and steps are of 0.00001 to %g s; mend its speed",
                       class_label(&in->terms.of_class[0], label, sizeof label), seconds[0], in->frame.cell_size,
                       LONGEST_STEP);
   for (int i = 0; i < mission->classes; i++) {
@@ -91,9 +92,20 @@ static void set_class(input *in, pace *p, int of) {
 }
 
 /* Where a look finds all that is there, no other is worth anything. */
-static void drop_looks(qtr_mission *mission) {
-  for (int place = 0; place < mission->places; place++)
-    if (mission->detection[place] == 1.0) mission->looks[place] = 1;
+static void drop_looks(input *in) {
+  qtr_mission *mission = &in->mission;
+  int dropped = 0;
+  for (int place = 0; place < mission->places; place++) {
+    if (mission->detection[place] < 1.0 || mission->looks[place] == 1) continue;
+    mission->looks[place] = 1;
+    dropped++;
+  }
+  if (dropped == mission->places)
+    notes_add(
+        &in->note,
+        "%s: several looks are asked for, but the first finds all that is there; state how much a look finds, such "
+        "as \"detection: 0.8\"",
+        file_short_path(in->path));
 }
 
 static int check_ends(const input *in, const pace *p, fault *why) {
@@ -105,6 +117,12 @@ static int check_ends(const input *in, const pace *p, fault *why) {
   return 0;
 }
 
+/* To one digit: 0.0588 is 0.05. */
+static double round_down(double number) {
+  const double unit = pow(10.0, floor(log10(number)));
+  return fmax(floor(number / unit + 1e-9) * unit, SHORTEST_STEP);
+}
+
 static void note_rounding(input *in, const pace *p) {
   const char *path = file_short_path(in->path);
   if (!p->stated) return;
@@ -113,9 +131,9 @@ static void note_rounding(input *in, const pace *p) {
               p->seconds_per_step, 100.0 * p->rounding);
   if (p->end_rounding > PACE_ROUNDING)
     notes_add(&in->note,
-              "%s: steps of %g s round scan times and the like by up to %.2g %%; \"step_seconds: %.3g\" is finer", path,
-              p->seconds_per_step, 100.0 * p->end_rounding,
-              p->seconds_per_step / ceil(p->end_rounding / PACE_ROUNDING));
+              "%s: steps of %g s round scan times and the like by up to %.2g %%; \"step_seconds: %g\" is finer", path,
+              p->seconds_per_step, 100.0 * fmin(p->end_rounding, 1.0),
+              round_down(p->seconds_per_step / ceil(p->end_rounding / PACE_ROUNDING)));
 }
 
 /* ---- the objective ---- */
@@ -143,7 +161,7 @@ int terms_apply(input *in, pace *p, fault *why) {
   if (choose_step(in, p, why) != 0) return -1;
   for (int i = 0; i < mission->classes; i++) set_class(in, p, i);
   for (int i = 0; i < mission->seekers; i++) mission->ready[i] = pace_steps_up(p, in->terms.ready[i]);
-  drop_looks(mission);
+  drop_looks(in);
   if (check_ends(in, p, why) != 0 || set_aim(in, p, why) != 0) return -1;
   note_rounding(in, p);
   return 0;

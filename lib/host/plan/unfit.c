@@ -57,6 +57,13 @@ static const char *duration(char out[NAME], const pace *p, qtr_steps steps) {
   return out;
 }
 
+/* What there is, as the mission says it and not as it is rounded. */
+static const char *limit(char out[NAME], const input *in, const outing *o, bool far) {
+  snprintf(out, NAME, "%.6g s",
+           far ? in->terms.of_class[in->mission.class_of[o->seeker]].endurance_seconds : in->terms.deadline_seconds);
+  return out;
+}
+
 /* "the nearest, place 3 (m.yaml:4), takes it 40 s there and back, and its endurance is 30 s" */
 static void tell_outing(char *out, size_t size, const input *in, const pace *p, const outing *o) {
   char place[NAME], takes[NAME], has[NAME];
@@ -65,8 +72,7 @@ static void tell_outing(char *out, size_t size, const input *in, const pace *p, 
   snprintf(out, size,
            far ? "the nearest, %s, takes it %s there and back, and its endurance is %s"
                : "the nearest, %s, is searched after %s, and the deadline is %s",
-           place, duration(takes, p, far ? o->away : o->searched),
-           duration(has, p, far ? class_of(&in->mission, o->seeker)->endurance : in->mission.aim.deadline));
+           place, duration(takes, p, far ? o->away : o->searched), limit(has, in, o, far));
 }
 
 void unfit_note(input *in, const qtr_game *game, const pace *p) {
