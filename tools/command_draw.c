@@ -180,13 +180,19 @@ static void add_certificate(sheet *s, const table *t) {
   if (seconds > 0.0) add_line(s, "a step\t%.6g s", seconds);
 }
 
-/* A later look is none of the input's places. */
-static void name_looks(sheet *s, const table *t) {
-  const naming n = table_naming(t);
-  for (unsigned place = 0; place < t->policy.board.places; place++)
-    if (qtr_policy_place(&t->policy, place) != place)
-      snprintf(s->names.place[place], sizeof s->names.place[place], "%.*s", QTR_SITE_NAME_BYTES - 1,
-               naming_place(&n, place).text);
+/* A later look is one at the same place: the picture shows it once, and what all looks find. */
+static void gather_looks(sheet *s, const table *t) {
+  const qtr_board *board = &t->policy.board;
+  s->d.places = 0;
+  for (unsigned place = 0; place < board->places; place++) {
+    const unsigned of = qtr_policy_place(&t->policy, place);
+    s->likelihood[place] = 0.0;
+    s->likelihood[of] += table_probability(t, place);
+    s->d.places += of == place;
+  }
+  for (int seeker = 0; seeker < board->seekers; seeker++)
+    for (int i = 0; i < s->route[seeker].places; i++)
+      s->route[seeker].place[i] = (uint16_t)qtr_policy_place(&t->policy, s->route[seeker].place[i]);
 }
 
 static int from_table(sheet *s, const table *t, fault *why) {
@@ -205,18 +211,15 @@ static int from_table(sheet *s, const table *t, fault *why) {
   s->d.turned = frame.sine != 0 || frame.cosine < 0;
   table_map_origin(t, &s->d.x, &s->d.y);
   s->d.reached_alone = true;
-  s->d.places = policy->board.places;
-  for (unsigned place = 0; place < policy->board.places; place++) {
+  for (unsigned place = 0; place < policy->board.places; place++)
     s->place[place] = on_map(t, qtr_policy_cell(policy, place));
-    s->likelihood[place] = table_probability(t, place);
-  }
   s->d.seekers = policy->board.seekers;
   for (unsigned place = 0; place < policy->board.places; place++) s->number[place] = t->number[place];
   s->d.number = s->number;
   s->names = t->names;
   s->d.names = &s->names;
-  name_looks(s, t);
   table_routes(t, s->route);
+  gather_looks(s, t);
   add_certificate(s, t);
   for (int seeker = 0; seeker < s->d.seekers; seeker++)
     if (add_seeker(s, t, seeker, why) != 0) return -1;

@@ -9,6 +9,18 @@ enum { SEEKER_ROW = 24, LINE_ROW = 19, SIZES_ROW = 52, KEY_ROW = 28, GAP = 14 };
 
 #define SEEKER_TEXT (QTR_SITE_NAME_BYTES + 80)
 
+/* Whether a place is searched several times. */
+static bool looks_again(const drawing *d) {
+  static bool seen[QTR_MAX_PLACES];
+  memset(seen, 0, sizeof seen);
+  for (int i = 0; i < d->seekers; i++)
+    for (int v = 0; v < d->seeker[i].places; v++) {
+      if (seen[d->seeker[i].place[v]]) return true;
+      seen[d->seeker[i].place[v]] = true;
+    }
+  return false;
+}
+
 static void seeker_text(char text[SEEKER_TEXT], const drawing *d, int seeker) {
   const drawing_seeker *s = &d->seeker[seeker];
   const char *name = d->names != NULL ? d->names->seeker[seeker] : "";
@@ -18,8 +30,8 @@ static void seeker_text(char text[SEEKER_TEXT], const drawing *d, int seeker) {
   else if (s->places == 0)
     snprintf(text, 80, "no place: stands down");
   else
-    snprintf(text, 80, "%d place%s, last at %.60s", s->places, s->places == 1 ? "" : "s",
-             figures_moment(s->step[s->places - 1], d->step_seconds).text);
+    snprintf(text, 80, "%d %s%s, last at %.60s", s->places, looks_again(d) ? "look" : "place",
+             s->places == 1 ? "" : "s", figures_moment(s->step[s->places - 1], d->step_seconds).text);
 }
 
 static bool has_slow_ground(const drawing *d, int *slowest) {
@@ -152,8 +164,10 @@ static void draw_sizes(const draw_page *page, double y) {
 
 /* What the labels beside the places say. */
 static void draw_label_key(const draw_page *page, double y) {
-  put_text(page, page->legend_x, y + 14.5, " font-size=\"10.5\"", "2nd", 10);
-  put_muted(page, page->legend_x + 32, y + 14.5, "second visit of its seeker", 40);
+  const bool again = looks_again(page->d);
+  put_text(page, page->legend_x, y + 14.5, " font-size=\"10.5\"", again ? "2nd x3" : "2nd", 10);
+  put_muted(page, page->legend_x + (again ? 44 : 32), y + 14.5,
+            again ? "second look of its seeker, of three in all" : "second visit of its seeker", 60);
 }
 
 static void draw_late_key(const draw_page *page, double y) {

@@ -1,6 +1,7 @@
 /* Places, starts and what is written beside them. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "draw_parts.h"
 #include "figures.h"
@@ -53,9 +54,19 @@ static bool is_late(const draw_page *page, int place) {
   return visitor >= 0 && drawing_is_late(page->d, page->d->seeker[visitor].step[page->visit[place]]);
 }
 
+/* ", seeker 0, visit 3, step 14, 7 s", once for each look. */
+static void tell_visits(const draw_page *page, int place) {
+  const drawing *d = page->d;
+  for (int seeker = 0; seeker < d->seekers; seeker++)
+    for (int v = 0; v < d->seeker[seeker].places; v++)
+      if (d->seeker[seeker].place[v] == place)
+        fprintf(page->out, ", seeker %d, visit %d, %s%s", seeker, v + 1,
+                figures_moment(d->seeker[seeker].step[v], d->step_seconds).text,
+                figures_late(drawing_is_late(d, d->seeker[seeker].step[v])));
+}
+
 static void draw_place(draw_page *page, int place) {
   const drawing *d = page->d;
-  const int visitor = page->visitor[place];
   const draw_point at = place_centre(page, place);
   const double radius = place_radius(page, place);
   const int wears = wearer(page, place);
@@ -63,10 +74,7 @@ static void draw_place(draw_page *page, int place) {
   fputs("<g class=\"place\"><title>place ", page->out);
   xml_text(page->out, draw_place_label(d, place).text, QTR_SITE_NAME_BYTES);
   fprintf(page->out, ", likelihood %.4g", d->likelihood[place]);
-  if (visitor >= 0)
-    fprintf(page->out, ", seeker %d, visit %d, %s%s", visitor, page->visit[place] + 1,
-            figures_moment(d->seeker[visitor].step[page->visit[place]], d->step_seconds).text,
-            figures_late(is_late(page, place)));
+  tell_visits(page, place);
   fprintf(page->out,
           "</title><circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\" stroke=\"%s\" stroke-width=\"1.3\"/></g>\n",
           at.x, at.y, radius,
@@ -199,12 +207,13 @@ static void write_label(draw_page *page, const draw_box *box, const char *number
 
 /* The number, if it is not inside, and the order. Where there is no room for both the order is left to the title. */
 static void draw_label(draw_page *page, int place, bool numbered) {
-  char number[sizeof(naming_label)] = "", order[16] = "";
+  char number[sizeof(naming_label)] = "", order[32] = "";
   const draw_point at = place_centre(page, place);
   const double nearest = place_radius(page, place) + 1;
   draw_box box;
   if (!numbered) snprintf(number, sizeof number, "%s", draw_place_label(page->d, place).text);
   if (page->visitor[place] >= 0) draw_ordinal(order, page->visit[place] + 1);
+  if (page->looks[place] > 1) sprintf(order + strlen(order), " x%d", page->looks[place]);
   if (*number == '\0' && *order == '\0') return;
   const double alone = BOLD * draw_text_width(number, 10.5) + 2, gap = numbered ? 0 : draw_text_width(" ", 10.5);
   if (draw_find_room(page, at, nearest, alone + gap + draw_text_width(order, 10.5), 12, &box)) {

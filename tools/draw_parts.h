@@ -44,6 +44,7 @@ typedef struct {
   double largest_radius;       /* of a place */
   int visitor[QTR_MAX_PLACES]; /* seeker; -1: nobody */
   int visit[QTR_MAX_PLACES];   /* which of the seeker's visits, from 0 */
+  int looks[QTR_MAX_PLACES];   /* all visits, by whomever */
   int lane[QTR_MAX_SEEKERS];   /* how far beside the cells' middles a trajectory runs */
   int boxes;
   draw_box box[DRAW_BOXES]; /* where places, starts and labels stand */

@@ -54,17 +54,25 @@ static void lay_out(draw_page *page) {
   page->page_height = page->y + fmax(page->height + DRAW_AXIS_BOTTOM, draw_legend_height(page)) + PAD;
 }
 
+static qtr_steps first_step(const draw_page *page, int place) {
+  return page->d->seeker[page->visitor[place]].step[page->visit[place]];
+}
+
+/* Of the looks at a place the first one counts. */
 static void find_visitors(draw_page *page) {
   const drawing *d = page->d;
   page->largest = 0;
   for (int p = 0; p < d->places; p++) {
     page->visitor[p] = -1;
+    page->looks[p] = 0;
     page->largest = fmax(page->largest, d->likelihood[p]);
   }
   for (int seeker = 0; seeker < d->seekers; seeker++) {
     for (int v = 0; v < d->seeker[seeker].places; v++) {
-      page->visitor[d->seeker[seeker].place[v]] = seeker;
-      page->visit[d->seeker[seeker].place[v]] = v;
+      const int place = d->seeker[seeker].place[v];
+      if (page->looks[place]++ > 0 && d->seeker[seeker].step[v] >= first_step(page, place)) continue;
+      page->visitor[place] = seeker;
+      page->visit[place] = v;
     }
   }
 }

@@ -87,8 +87,13 @@ static void test_pictures_tell_seconds(void) {
   run_tool(&r, "draw m.qtr -o m.svg");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
   read_text("m.svg", r.out, sizeof r.out);
-  static const char *const texts[] = {
-      "last at step 39, 19.5 s", ">13.5968 s<", "step 14, 7 s", ">0.5 s<", "Bay (look 2)", "up to 3 times as long"};
+  static const char *const texts[] = {"4 looks, last at step 39, 19.5 s",
+                                      ">13.5968 s<",
+                                      ">0.5 s<",
+                                      ">Bay<",
+                                      ">1st x2<",
+                                      ", seeker 0, visit 1, step 14, 7 s, seeker 0, visit 2, step 20, 10 s<",
+                                      "up to 3 times as long"};
   for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
     TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, texts[i]), texts[i]);
 }

@@ -208,11 +208,17 @@ static int make_pixels(pixels *map, const image *picture, const rosmap_header *h
 
 /* ---- notes ---- */
 
+/* Whether nothing is said of what is unknown, nor of what greys are. */
+static bool is_unsaid(const input *in, const rosmap_header *header) {
+  const bool greys = header->mode == ROSMAP_SCALE && in->ground.grey_cost > 0;
+  return !in->ground.unknown_given && !greys;
+}
+
 static void note_unknown(input *in, const image *picture, const rosmap_header *header) {
   const size_t count = (size_t)picture->width * (size_t)picture->height;
   const int sample = savers_sample(header, picture);
   uint64_t greys = 0;
-  if (in->ground.unknown_given || sample < 0) return;
+  if (!is_unsaid(in, header) || sample < 0) return;
   if (rosmap_classify(header, sample, picture->maximum) != ROSMAP_FREE) return;
   for (size_t i = 0; i < count; i++)
     greys += picture->samples[i] == sample && (picture->transparent == NULL || !picture->transparent[i]);
