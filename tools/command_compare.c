@@ -227,8 +227,8 @@ static count_text told_certificate(const table_certificate *c) {
 
 static count_text told_size(const side *s) {
   count_text told;
-  snprintf(told.text, sizeof told.text, "%.24s, %.24s", counted((uint64_t)s->names.seekers, "robot").text,
-           counted((uint64_t)s->names.places, "place").text);
+  snprintf(told.text, sizeof told.text, "%.20s, %.40s", counted((uint64_t)s->names.seekers, "robot").text,
+           figures_places(s->certificate.own_places, (unsigned)s->names.places).text);
   return told;
 }
 

@@ -187,7 +187,7 @@ static void write_text(FILE *out, const void *what) {
   fprintf(out, "%s: a sound policy table, %s, written by Quarter %u.%u.%u with seed %" PRIu64 "\n", i->o->input,
           counted(t->bytes.size, "byte").text, c.version[0], c.version[1], c.version[2], c.seed);
   fprintf(out, "%d x %d cells, %s, %s; %s rule, %s\n", t->claim.map_columns, t->claim.map_rows,
-          counted(t->policy.board.places, "place").text, counted(t->policy.board.seekers, "robot").text,
+          figures_places(c.own_places, t->policy.board.places).text, counted(t->policy.board.seekers, "robot").text,
           words_rule[t->policy.board.rule], qtr_objective_in_words(c.objective)->goal);
   fprintf(out, "%s: discounted value %.6g (gamma %.6g), expected time %s; bound %.6g, gap %.3g%%\n",
           c.certified ? "certified" : "not certified", c.value, c.gamma, figures_time(c.expected_time, seconds).text,

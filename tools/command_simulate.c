@@ -137,16 +137,21 @@ static void write_off_table(FILE *out, const account *a) {
   fputc('\n', out);
 }
 
-static void write_text(FILE *out, const void *what) {
-  const account *a = what;
+static void write_head(FILE *out, const account *a) {
+  const simulation *s = &a->s;
+  const unsigned places = a->t.policy.board.places;
+  const bool looks = a->t.claim.own_places != places;
+  const char *done = looks ? "made" : "visited";
+  fprintf(out, "%s: %d of %s %s by %s, %d %s again, %s off the table\n", a->o->input, s->visits,
+          counted(places, looks ? "look" : "place").text, done, figures_moment(s->end, table_step_seconds(&a->t)).text,
+          s->duplicates, done, counted(s->off_table, "choice").text);
+}
+
+static void write_visit_lines(FILE *out, const account *a) {
   const simulation *s = &a->s;
   const table *t = &a->t;
-  const options *o = a->o;
   const naming n = table_naming(t);
   const double seconds = table_step_seconds(t);
-  fprintf(out, "%s: %d of %s visited by %s, %d visited again, %s off the table\n", o->input, s->visits,
-          counted(t->policy.board.places, "place").text, figures_moment(s->end, seconds).text, s->duplicates,
-          counted(s->off_table, "choice").text);
   for (int i = 0; i < s->visits; i++) {
     fprintf(out, "  step %4" PRIu32, s->visit[i].step);
     if (seconds > 0.0) fprintf(out, "  %8.6g s", s->visit[i].step * seconds);
@@ -154,15 +159,25 @@ static void write_text(FILE *out, const void *what) {
             naming_place(&n, s->visit[i].place).text, figures_late(table_is_late(t, s->visit[i].step)));
   }
   for (int place = 0; place < t->policy.board.places && s->found_step == QTR_NEVER; place++)
-    if (!was_visited(s, o, place)) fprintf(out, "  place %s was not visited\n", naming_place(&n, (unsigned)place).text);
+    if (!was_visited(s, a->o, place))
+      fprintf(out, "  place %s was not visited\n", naming_place(&n, (unsigned)place).text);
+}
+
+static void write_text(FILE *out, const void *what) {
+  const account *a = what;
+  const simulation *s = &a->s;
+  const naming n = table_naming(&a->t);
+  const double seconds = table_step_seconds(&a->t);
+  write_head(out, a);
+  write_visit_lines(out, a);
   if (s->found_step != QTR_NEVER)
-    fprintf(out, "target found at place %s, %s\n", naming_place(&n, (unsigned)o->game.target).text,
+    fprintf(out, "target found at place %s, %s\n", naming_place(&n, (unsigned)a->o->game.target).text,
             figures_moment(s->found_step, seconds).text);
   else if (isnan(s->expected_time))
     fprintf(out, "discounted value %.6g; expected time unknown, for not all places were visited\n", s->value);
   else
     fprintf(out, "discounted value %.6g, expected time %s\n", s->value, figures_time(s->expected_time, seconds).text);
-  if (t->claim.deadline > 0 && o->game.target == SIMULATION_NO_TARGET)
+  if (a->t.claim.deadline > 0 && a->o->game.target == SIMULATION_NO_TARGET)
     fprintf(out, "probability of a find by the deadline %.6g\n", s->found);
   write_off_table(out, a);
 }

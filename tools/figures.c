@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "quarter/objective.h"
 
@@ -23,6 +24,13 @@ count_text figures_moment(qtr_steps step, double step_seconds) {
 
 const char *figures_late(bool late) {
   return late ? ", after the deadline" : "";
+}
+
+count_text figures_places(unsigned places, unsigned looks) {
+  count_text told = counted(places, "place");
+  const size_t length = strlen(told.text);
+  if (looks != places) snprintf(told.text + length, sizeof told.text - length, " (%.30s)", counted(looks, "look").text);
+  return told;
 }
 
 static bool is_time(uint8_t objective) {

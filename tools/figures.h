@@ -20,6 +20,9 @@ count_text figures_moment(qtr_steps step, double step_seconds);
 /* ", after the deadline" of what is late, else nothing. */
 const char *figures_late(bool late);
 
+/* "4 places", or, where some are looked at again, "4 places (5 looks)". */
+count_text figures_places(unsigned places, unsigned looks);
+
 /* An objective's figure, whose times are in steps: "12.5 steps", "6.25 s", "8.15523" */
 count_text figures_told(uint8_t objective, double figure, double step_seconds);
 

@@ -60,7 +60,7 @@ static void test_inspect_tells_what_learn_told(void) {
 }
 
 static void test_simulate_tells_seconds_beside_steps(void) {
-  expect("simulate m.qtr", TEXTS("visited by step 46, 23 s,", "\n  step   14         7 s  seeker Wing  place Bay\n",
+  expect("simulate m.qtr", TEXTS("made by step 46, 23 s,", "\n  step   14         7 s  seeker Wing  place Bay\n",
                                  "expected time 13.5968 s\n"));
   expect("simulate m.qtr --target 3", TEXTS("target found at place 3, step 29, 14.5 s\n"));
   expect("simulate m.qtr --target 3 --json",
@@ -139,9 +139,27 @@ static void test_the_rest_of_a_table_with_terms_is_weighed(void) {
   run_tool(&r, "simulate m.qtr --clear 2 --json");
   TEST_ASSERT_DOUBLE_WITHIN(1e-4, seconds, json_value(json_text(r.out, "learnt_anew"), "objective_value"));
   run_tool(&r, "simulate m.qtr --clear Bay");
-  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "3 of 5 places visited"), r.out); /* both looks at Bay are cleared */
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "3 of 5 looks made"), r.out); /* both looks at Bay are cleared */
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, " s by their rule, "), r.out);
   TEST_ASSERT_EQUAL_INT(0, r.status);
+}
+
+/* Places that nobody has the endurance for count as found when all must be home, for both. */
+static void test_simulate_and_learn_agree_on_places_that_nobody_searches(void) {
+  write_file("tired.yaml", "map: ground.txt\ncell_size: 2\nspeed: 1\nobjective: time\n"
+                           "classes: {k: {endurance_seconds: 24}}\nrobots: [{column: 0, row: 0, class: k}]\n"
+                           "places: [{column: 2, row: 0}, {column: 0, row: 3, weight: 2}, {column: 8, row: 3}]\n");
+  run_tool(&again, "learn tired.yaml -o tired.qtr --json");
+  TEST_ASSERT_TRUE_MESSAGE(json_is(again.out, "left_out", "[2]"), again.out);
+  run_tool(&r, "simulate tired.qtr --json");
+  TEST_ASSERT_EQUAL_INT(4, r.status);
+  TEST_ASSERT_DOUBLE_WITHIN(1e-6, json_value(again.out, "expected_time"), json_value(r.out, "expected_time"));
+}
+
+static void test_looks_are_counted_apart_from_places(void) {
+  expect("inspect m.qtr", TEXTS("4 places (5 looks), 2 robots"));
+  expect("compare m.qtr m.qtr", TEXTS("2 robots, 4 places (5 looks)"));
+  expect("simulate m.qtr", TEXTS("m.qtr: 5 of 5 looks made by step 46, 23 s, 0 made again"));
 }
 
 /* To the byte as before there were any. */
@@ -173,6 +191,8 @@ int main(void) {
   RUN_TEST(test_each_look_is_a_waypoint);
   RUN_TEST(test_later_looks_are_no_places_that_are_gone);
   RUN_TEST(test_the_rest_of_a_table_with_terms_is_weighed);
+  RUN_TEST(test_simulate_and_learn_agree_on_places_that_nobody_searches);
+  RUN_TEST(test_looks_are_counted_apart_from_places);
   RUN_TEST(test_without_a_speed_there_are_no_seconds);
   return UNITY_END();
 }

@@ -238,6 +238,25 @@ static double likelihood_of(const simulation *s, const world *w, int visit) {
   return 0.0;
 }
 
+/* When the last robot must be home; 0: some need never be. */
+static qtr_steps last_end(const world *w) {
+  qtr_steps last = 0;
+  for (int i = 0; i < w->count; i++) {
+    const qtr_steps end = qtr_board_end(&w->t->policy.board, (unsigned)i);
+    if (end == QTR_NEVER) return 0;
+    last = end > last ? end : last;
+  }
+  return last;
+}
+
+/* The likelihood of what was not cleared beforehand. */
+static double findable_left(const world *w) {
+  double sum = 0.0;
+  for (unsigned place = 0; place < w->t->policy.board.places; place++)
+    if (!qtr_places_has(&w->config->clear, place)) sum += table_probability(w->t, place);
+  return sum;
+}
+
 static void add_up(simulation *s, const world *w) {
   const table_certificate c = table_certificate_of(&w->t->policy);
   s->value = 0.0;
@@ -251,7 +270,11 @@ static void add_up(simulation *s, const world *w) {
     if (!table_is_late(w->t, step)) s->found += c.findable * probability;
     sum += probability * step;
   }
-  s->expected_time = left_over(w) == 0 ? sum / (visited > 0.0 ? visited : 1.0) : NAN;
+  const qtr_steps end = last_end(w);
+  if (left_over(w) == 0)
+    s->expected_time = sum / (visited > 0.0 ? visited : 1.0);
+  else
+    s->expected_time = end > 0 ? (sum + (findable_left(w) - visited) * end) / findable_left(w) : NAN;
   for (int i = 0; i < w->count; i++) s->off_table += w->robots[i].seeker.division.off_table;
 }
 

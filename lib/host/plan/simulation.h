@@ -54,7 +54,7 @@ typedef struct {
   uint32_t off_table;                   /* choices made off the table, over all robots */
   uint32_t found_signals, done_signals; /* that were sent */
   double value;                         /* discounted, of the first visits */
-  double expected_time;                 /* steps; NAN if a place was left unvisited */
+  double expected_time;                 /* steps; NAN if a place was left unvisited, and robots need not be home */
   double found;                         /* probability of a find, by the deadline where the mission has one */
 } simulation;
 
