@@ -33,7 +33,7 @@ static const char outro[] =
     "\n"
     "In JSON: visits are each place's first one; duplicates counts the later ones; value and expected_time are what "
     "the\n"
-    "first visits earn (expected_time null if a place was left).\n"
+    "first visits earn (expected_time null if a place was left, but where all robots must be home in time).\n"
     "Places and robots go by their names, or else by the numbers that the input gave them; options take either.\n"
     "\n"
     "Exit status: 0 found, or all places visited; 2 bad input; 4 places were left unvisited and no target was "
@@ -233,12 +233,26 @@ static int meant_places(options *o, const naming *n, fault *why) {
   return o->game.target >= 0 ? 0 : fault_set(why, "--target: %s", wrong);
 }
 
+/* As many steps as begin by then. */
+static int count_steps(uint32_t *steps, double seconds, const char *option, const table *t, fault *why) {
+  const double step = table_step_seconds(t);
+  if (seconds <= 0.0) return 0;
+  if (step <= 0.0)
+    return fault_set(why, "--%s: given in seconds, and the table does not say how long a step is; give steps", option);
+  *steps = (uint32_t)fmin(ceil(seconds / step - 1e-9), 4e9);
+  return 0;
+}
+
 static int find_meant(options *o, const table *t, fault *why) {
   const naming n = table_naming(t);
   for (int i = 0; i < o->game.lates; i++)
-    if (meant_seekers(&o->game.late[i].seeker, "late", o->late[i], &n, why) != 0) return -1;
+    if (meant_seekers(&o->game.late[i].seeker, "late", o->late[i], &n, why) != 0 ||
+        count_steps(&o->game.late[i].wait, o->late_seconds[i], "late", t, why) != 0)
+      return -1;
   for (int i = 0; i < o->game.losts; i++)
-    if (meant_seekers(&o->game.lost[i].seeker, "lost", o->lost[i], &n, why) != 0) return -1;
+    if (meant_seekers(&o->game.lost[i].seeker, "lost", o->lost[i], &n, why) != 0 ||
+        count_steps(&o->game.lost[i].step, o->lost_seconds[i], "lost", t, why) != 0)
+      return -1;
   return meant_places(o, &n, why);
 }
 

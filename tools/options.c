@@ -64,36 +64,50 @@ static int too_many(const char *name, fault *why) {
   return fault_set(why, "--%s: given more than %d times", name, QTR_MAX_SEEKERS);
 }
 
+/* Steps, or seconds, "30s", of which the table tells how many steps they are. */
+static int take_moment(uint32_t *steps, double *seconds, const char *name, const char *value, uint64_t most,
+                       fault *why) {
+  char number[32];
+  const size_t length = strlen(value);
+  uint64_t count;
+  *seconds = 0.0;
+  *steps = 0;
+  if (length > 1 && length < sizeof number && value[length - 1] == 's') {
+    snprintf(number, sizeof number, "%.*s", (int)(length - 1), value);
+    return option_number(seconds, name, number, "of seconds, from 0 to 1e9", 0.0, 1e9, why);
+  }
+  if (option_count(&count, name, value, 0, most, why) != 0) return -1;
+  *steps = (uint32_t)count;
+  return 0;
+}
+
 /* SEEKER:+STEPS or SEEKER:xFACTOR */
 static int take_late(void *settings, const option_record *record, const char *value, fault *why) {
   options *o = settings;
   const char *name = record->name, *colon = strrchr(value, ':');
   if (o->game.lates == QTR_MAX_SEEKERS) return too_many(name, why);
   if (!splits(value, colon) || (colon[1] != '+' && colon[1] != 'x'))
-    return fault_set(why, "--%s %s: say SEEKER:+STEPS or SEEKER:xFACTOR, as 1:+30 or 1:x2.5", name, value);
+    return fault_set(why, "--%s %s: say SEEKER:+STEPS or SEEKER:xFACTOR, as 1:+30, 1:+30s (seconds) or 1:x2.5", name,
+                     value);
   simulation_late *late = &o->game.late[o->game.lates];
   *late = (simulation_late){0, 0, 1.0};
+  double *seconds = &o->late_seconds[o->game.lates];
   take_who(o->late[o->game.lates++], value, colon);
   if (colon[1] == 'x')
     return option_number(&late->factor, name, colon + 2, "from 1 to 1000 after the x", 1.0, 1000.0, why);
-  uint64_t wait;
-  if (option_count(&wait, name, colon + 2, 0, 1000000000, why) != 0) return -1;
-  late->wait = (uint32_t)wait;
-  return 0;
+  return take_moment(&late->wait, seconds, name, colon + 2, 1000000000, why);
 }
 
 /* SEEKER@STEP */
 static int take_lost(void *settings, const option_record *record, const char *value, fault *why) {
   options *o = settings;
   const char *name = record->name, *at = strrchr(value, '@');
-  uint64_t step;
   if (o->game.losts == QTR_MAX_SEEKERS) return too_many(name, why);
-  if (!splits(value, at)) return fault_set(why, "--%s %s: say SEEKER@STEP, as 1@40", name, value);
+  if (!splits(value, at)) return fault_set(why, "--%s %s: say SEEKER@STEP, as 1@40, or 1@40s (seconds)", name, value);
   simulation_lost *lost = &o->game.lost[o->game.losts];
-  if (option_count(&step, name, at + 1, 0, 4000000000u, why) != 0) return -1;
-  lost->step = (uint32_t)step;
+  double *seconds = &o->lost_seconds[o->game.losts];
   take_who(o->lost[o->game.losts++], value, at);
-  return 0;
+  return take_moment(&lost->step, seconds, name, at + 1, 4000000000u, why);
 }
 
 /* COLUMN,ROW */
@@ -287,9 +301,12 @@ option_table option_records = {
      COUNT(plan.learner.seed, 0, UINT64_MAX - 1)},
     {.name = "late",
      .argument = "SEEKER:+STEPS or SEEKER:xFACTOR",
-     .help = "may be given several times",
+     .help = "30s are 30 seconds; may be given several times",
      OWN(take_late)},
-    {.name = "lost", .argument = "SEEKER@STEP", .help = "may be given several times", OWN(take_lost)},
+    {.name = "lost",
+     .argument = "SEEKER@STEP",
+     .help = "40s are 40 seconds; may be given several times",
+     OWN(take_lost)},
     {.name = "from",
      .argument = "COLUMN,ROW",
      .help = "where a seeker starts, given once for each: a table made with --starts any takes any cell",

@@ -28,7 +28,8 @@ typedef struct {
   uint64_t budget_entries; /* 0: none */
   simulation_config game;  /* who and where are words yet, below, until there is a table */
   char late[QTR_MAX_SEEKERS][QTR_SITE_NAME_BYTES], lost[QTR_MAX_SEEKERS][QTR_SITE_NAME_BYTES]; /* of game's, in order */
-  const char *target;                                                                          /* NULL: none */
+  double late_seconds[QTR_MAX_SEEKERS], lost_seconds[QTR_MAX_SEEKERS]; /* likewise, where they are given; else 0 */
+  const char *target;                                                  /* NULL: none */
   /* drawing */
   bool regions, spots, dark, grid;
   /* a mission begun */

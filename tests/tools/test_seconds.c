@@ -144,6 +144,18 @@ static void test_the_rest_of_a_table_with_terms_is_weighed(void) {
   TEST_ASSERT_EQUAL_INT(0, r.status);
 }
 
+static void test_late_and_lost_are_told_in_seconds_too(void) {
+  expect("simulate m.qtr --late Wing:+10s --json", TEXTS("\"seconds\": 17}"));
+  run_tool(&again, "simulate m.qtr --late Wing:+20 --json");
+  TEST_ASSERT_EQUAL_STRING(again.out, r.out);
+  run_tool(&r, "simulate m.qtr --lost Wing@10.2s --json");
+  run_tool(&again, "simulate m.qtr --lost Wing@21 --json");
+  TEST_ASSERT_EQUAL_STRING(again.out, r.out);
+  run_tool(&r, "simulate plain.qtr --late 0:+10s");
+  TEST_ASSERT_EQUAL_INT(2, r.status);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.err, "does not say how long a step is; give steps"), r.err);
+}
+
 /* Places that nobody has the endurance for count as found when all must be home, for both. */
 static void test_simulate_and_learn_agree_on_places_that_nobody_searches(void) {
   write_file("tired.yaml", "map: ground.txt\ncell_size: 2\nspeed: 1\nobjective: time\n"
@@ -192,6 +204,7 @@ int main(void) {
   RUN_TEST(test_later_looks_are_no_places_that_are_gone);
   RUN_TEST(test_the_rest_of_a_table_with_terms_is_weighed);
   RUN_TEST(test_simulate_and_learn_agree_on_places_that_nobody_searches);
+  RUN_TEST(test_late_and_lost_are_told_in_seconds_too);
   RUN_TEST(test_looks_are_counted_apart_from_places);
   RUN_TEST(test_without_a_speed_there_are_no_seconds);
   return UNITY_END();
