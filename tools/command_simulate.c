@@ -130,6 +130,7 @@ static void write_off_table(FILE *out, const account *a) {
   if (!is_off_table(a)) return;
   fputs("the table was not learnt for these places cleared, and where it has no answer robots go by their rule:\n",
         out);
+  if (a->weighed && o->game.lates + o->game.losts > 0) fputs("with all robots, and on time: ", out);
   if (a->weighed) relearn_write(out, &a->anew);
   fputs("a plan of the rest is certified: quarter learn MISSION --clear", out);
   for (int i = 0; i < o->plan.reading.clears; i++)

@@ -30,7 +30,7 @@ static void take_ground(qtr_mission *m, const table *t) {
 }
 
 /* Of a place's looks, the worth of the second is that of the first times 1 - q. Where there is one look alone, what it
- * finds is all that counts. */
+ * finds is all that counts, and it is taken to find as much as looks do on the whole. */
 static void take_looks(qtr_mission *m, unsigned place, const source *s) {
   const qtr_policy *policy = &s->t->policy;
   double worth[2] = {0.0, 0.0};
@@ -40,7 +40,7 @@ static void take_looks(qtr_mission *m, unsigned place, const source *s) {
       if (looks < 2) worth[looks] = s->claimed.findable * table_probability(s->t, look);
       looks++;
     }
-  m->detection[place] = looks > 1 ? 1.0 - worth[1] / worth[0] : 1.0;
+  m->detection[place] = looks > 1 ? 1.0 - worth[1] / worth[0] : s->claimed.findable;
   m->weight[place] = worth[0] / m->detection[place];
   m->looks[place] = (uint8_t)looks;
 }

@@ -257,24 +257,24 @@ static double findable_left(const world *w) {
   return sum;
 }
 
+/* Over the visits: of what was not cleared beforehand all is found in the end, if looks never miss. */
 static void add_up(simulation *s, const world *w) {
   const table_certificate c = table_certificate_of(&w->t->policy);
-  s->value = 0.0;
-  double visited = 0.0;
-  double sum = 0.0;
+  const double all = findable_left(w);
+  const qtr_steps end = last_end(w);
+  double visited = 0.0, sum = 0.0;
   for (int i = 0; i < s->visits; i++) {
-    const double probability = likelihood_of(s, w, i);
+    const double probability = likelihood_of(s, w, i) / all;
     const qtr_steps step = s->visit[i].step;
     s->value += QTR_REWARD_SCALE * c.findable * probability * pow(c.gamma, step > 0 ? step - 1.0 : 0.0);
     visited += probability;
     if (!table_is_late(w->t, step)) s->found += c.findable * probability;
     sum += probability * step;
   }
-  const qtr_steps end = last_end(w);
   if (left_over(w) == 0)
-    s->expected_time = sum / (visited > 0.0 ? visited : 1.0);
+    s->expected_time = visited > 0.0 ? sum / visited : 0.0;
   else
-    s->expected_time = end > 0 ? (sum + (findable_left(w) - visited) * end) / findable_left(w) : NAN;
+    s->expected_time = end > 0 ? sum + (1.0 - visited) * end : NAN;
   for (int i = 0; i < w->count; i++) s->off_table += w->robots[i].seeker.division.off_table;
 }
 
