@@ -114,10 +114,11 @@ static bool is_on_map(const geojson *g, double latitude, double longitude) {
 
 static int take_degrees(geojson *g, tree_node *node, const double given[2], input_position *out) {
   if (!is_on_map(g, given[1], given[0]) && is_on_map(g, given[0], given[1]))
-    return tree_fault(&g->file, node,
-                      "[%.9g, %.9g] lies off the map, and on it with latitude and longitude exchanged; GeoJSON has the "
-                      "longitude first: write [%.9g, %.9g]",
-                      given[0], given[1], given[1], given[0]);
+    return tree_fault(
+        &g->file, node,
+        "[%.9g, %.9g] lies off the map, and on it with latitude and longitude exchanged; GeoJSON has the "
+        "longitude first: write [%.9g, %.9g], or mend the mission's geo, if that is where they are exchanged",
+        given[0], given[1], given[1], given[0]);
   if (fabs(given[1]) <= 90.0 && fabs(given[0]) <= 180.0 && locate(g, given[1], given[0], out)) return 0;
   return tree_fault(&g->file, node, "longitude %g, latitude %g is no point of the globe; %s", given[0], given[1],
                     fabs(given[0]) <= 90.0 && fabs(given[1]) > 90.0
