@@ -64,6 +64,20 @@ static void test_columns_of_a_csv_say_it_too(void) {
   TEST_ASSERT_TRUE(scratch_input.terms.stated);
 }
 
+/* An empty field leaves a place what the mission says; a weight is none of these. */
+static void test_empty_fields_of_a_csv_are_the_mission_s(void) {
+  scratch_write("p.csv", "x,y,weight,detection,looks,scan_seconds\n5,1,1,,,\n6,1,1,0.5,3,7\n");
+  read_mission(MAP ROBOT "scan_seconds: 3\ndetection: 0.8\nlooks: 2\nplaces_csv: p.csv\n");
+  TEST_ASSERT_EQUAL_DOUBLE(0.8, scratch_input.mission.detection[0]);
+  TEST_ASSERT_EQUAL_UINT8(2, scratch_input.mission.looks[0]);
+  TEST_ASSERT_EQUAL_DOUBLE(INPUT_UNSAID, scratch_input.terms.place_scan[0]);
+  TEST_ASSERT_EQUAL_DOUBLE(0.5, scratch_input.mission.detection[1]);
+  TEST_ASSERT_EQUAL_UINT8(3, scratch_input.mission.looks[1]);
+  TEST_ASSERT_EQUAL_DOUBLE(7.0, scratch_input.terms.place_scan[1]);
+  scratch_write("p.csv", "x,y,weight\n5,1,\n");
+  refuse(MAP ROBOT "places_csv: p.csv\n", "p.csv:2:5", "'weight'", "number");
+}
+
 static void test_classes_and_who_is_of_them(void) {
   read_mission(MAP PLACES "classes:\n  drone: {speed: 5, scan_seconds: 2, endurance_seconds: 600}\n"
                           "  rover: {avoid: [Bay, 1], rough: false}\n"
@@ -203,6 +217,7 @@ int main(void) {
   RUN_TEST(test_home_weight_is_in_the_places_unit);
   RUN_TEST(test_a_place_says_otherwise_than_the_mission);
   RUN_TEST(test_columns_of_a_csv_say_it_too);
+  RUN_TEST(test_empty_fields_of_a_csv_are_the_mission_s);
   RUN_TEST(test_classes_and_who_is_of_them);
   RUN_TEST(test_robots_that_share_a_start_share_its_class);
   RUN_TEST(test_terms_stay_with_their_place_when_others_are_left_out);
