@@ -136,6 +136,10 @@ static double gamma_of(const side *s) {
   return s->a_step == 1.0 ? s->certificate.gamma : pow(s->certificate.gamma, 1.0 / s->a_step);
 }
 
+static double deadline_of(const side *s) {
+  return s->a_step * s->certificate.deadline;
+}
+
 static int check_objectives(const comparison *c, fault *why) {
   const side *a = &c->side[0], *b = &c->side[1];
   const qtr_objective_words *first = qtr_objective_in_words(a->certificate.objective);
@@ -147,6 +151,11 @@ static int check_objectives(const comparison *c, fault *why) {
     return fault_set(why,
                      "%s has a gamma of %g and %s of %g: their values are in two units; learn both with one --gamma",
                      a->path, gamma_of(a), b->path, gamma_of(b));
+  if (!is_as_long(deadline_of(a), deadline_of(b)))
+    return fault_set(why,
+                     "%s finds by %g s and %s by %g: their probabilities are of two deadlines; learn both with one "
+                     "--deadline",
+                     a->path, deadline_of(a), b->path, deadline_of(b));
   return 0;
 }
 

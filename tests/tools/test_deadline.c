@@ -76,6 +76,13 @@ static void test_pictures_and_exports_mark_them_too(void) {
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "# step 11, after the deadline, place 2"), r.out);
 }
 
+static void test_plans_for_two_deadlines_are_not_compared(void) {
+  run_tool(&r, "learn m.yaml --deadline 12 -q -o later.qtr");
+  run_tool(&r, "compare m.qtr later.qtr");
+  TEST_ASSERT_EQUAL_INT(2, r.status);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.err, "m.qtr finds by 8 s and later.qtr by 12"), r.err);
+}
+
 static void test_without_a_deadline_nothing_is_late(void) {
   run_tool(&r, "learn m.yaml --objective time -q -o t.qtr");
   static const char *const commands[] = {"inspect t.qtr --json", "simulate t.qtr", "compare t.qtr t.qtr",
@@ -104,6 +111,7 @@ int main(void) {
   RUN_TEST(test_learn_and_exact_say_the_same);
   RUN_TEST(test_later_visits_are_marked);
   RUN_TEST(test_pictures_and_exports_mark_them_too);
+  RUN_TEST(test_plans_for_two_deadlines_are_not_compared);
   RUN_TEST(test_without_a_deadline_nothing_is_late);
   RUN_TEST(test_looks_after_the_deadline_count_for_nothing);
   return UNITY_END();
