@@ -30,11 +30,26 @@ static void put_tick_text(const draw_page *page, double x, double y, const char 
           fabs(value) < 1e-9 ? 0.0 : value);
 }
 
-/* A line over the map from an axis' number, as a path's `d`. */
-static void draw_line(const draw_page *page, double x, double y, const char *direction, double length) {
+/* A line over the map from the axis, as a path's `d`: of five, the one at a number is the darkest. */
+static void draw_line(const draw_page *page, double x, double y, const char *direction, double length, bool numbered) {
+  fprintf(page->out, "<path stroke=\"%s\" stroke-width=\".7\" stroke-opacity=\"%s\" d=\"M%.2f %.2f%s%.2f\"/>",
+          page->theme->muted, numbered ? ".55" : ".18", x, y, direction, length);
+}
+
+/* Where there is a grid. Columns and rows have lines of their own already, between them. */
+static void draw_lines(const draw_page *page, const axis *a, double step, bool across) {
+  const bool down = a->cell < 0, cells = fabs(a->cell) == 1.0 && page->d->cell_size == 0.0;
+  const double fine = cells ? step : step / 5, scale = page->cell / fabs(a->cell);
+  const double length = across ? page->width : page->height, end = a->first + length / scale;
   if (!page->d->grid) return;
-  fprintf(page->out, "<path stroke=\"%s\" stroke-width=\".7\" stroke-opacity=\".45\" d=\"M%.2f %.2f%s%.2f\"/>",
-          page->theme->muted, x, y, direction, length);
+  for (double k = ceil(a->first / fine - 1e-9); k * fine <= end + 1e-9 * fine; k++) {
+    const double along = (k * fine - a->first) * scale;
+    const bool numbered = fabs(remainder(k * fine, step)) < 1e-6 * step;
+    if (across)
+      draw_line(page, page->x + along, page->y, "v", page->height, numbered);
+    else
+      draw_line(page, page->x, down ? page->y + along : page->y + page->height - along, "h", page->width, numbered);
+  }
 }
 
 /* Along the lower edge, from the left; a number stands at `value` = first + pixels / page->cell * cell. */
@@ -44,7 +59,6 @@ static void draw_across(const draw_page *page, const axis *a, double step) {
   for (double k = ceil(a->first / step - 1e-9); k * step <= end + 1e-9 * step; k++) {
     const double x = page->x + (k * step - a->first) * scale;
     fprintf(page->out, "<path stroke=\"%s\" d=\"M%.2f %.2fv5\"/>", page->theme->muted, x, bottom);
-    draw_line(page, x, page->y, "v", page->height);
     put_tick_text(page, x, bottom + 16, "middle", k * step);
   }
   fprintf(page->out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n", page->x + page->width / 2,
@@ -59,7 +73,6 @@ static void draw_up(const draw_page *page, const axis *a, double step) {
     const double along = (k * step - a->first) * scale;
     const double y = down ? page->y + along : page->y + page->height - along;
     fprintf(page->out, "<path stroke=\"%s\" d=\"M%.2f %.2fh-5\"/>", page->theme->muted, page->x, y);
-    draw_line(page, page->x, y, "h", page->width);
     put_tick_text(page, page->x - 8, y + 4, "end", k * step);
   }
   const double middle = page->y + page->height / 2, x = page->x - DRAW_AXIS_LEFT + SIZE - 2;
@@ -78,6 +91,8 @@ void draw_axes(const draw_page *page) {
                    metric ? d->y + (d->rows - page->top - page->rows) * side : page->top - 0.5, metric ? side : -1};
   const double step = step_of(page, metric, side);
   fprintf(page->out, "<g id=\"axes\" font-size=\"%d\" fill=\"%s\">\n", SIZE, page->theme->muted);
+  draw_lines(page, &across, step, true);
+  draw_lines(page, &up, step, false);
   draw_across(page, &across, step);
   draw_up(page, &up, step);
   fputs("</g>\n", page->out);

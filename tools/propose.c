@@ -9,6 +9,7 @@
 #include "host/input/sites.h"
 
 static const double APART_M = 1.0; /* between robots that start beside one another */
+static const double CLEAR_M = 0.4; /* of what is proposed from walls */
 
 enum { FAR = UINT16_MAX };
 
@@ -19,6 +20,7 @@ typedef struct {
   uint16_t *steps;
   qtr_cell *queue;
   size_t count; /* of cells in the queue */
+  int clear;    /* cells to every side that are free around a cell that is proposed, where there is such a one */
 } ground;
 
 static void reach(ground *g, qtr_cell cell, unsigned steps) {
@@ -49,7 +51,23 @@ static void measure(ground *g, const qtr_cell *sources, int count) {
   spread(g);
 }
 
+static bool is_free(const qtr_mission *mission, int column, int row) {
+  return column >= 0 && column < mission->columns && row >= 0 && row < mission->rows &&
+         mission->cost[(size_t)row * mission->columns + (size_t)column] != 0;
+}
+
+static bool is_clear(const ground *g, qtr_cell cell) {
+  const int column = (int)(cell % g->mission->columns), row = (int)(cell / g->mission->columns);
+  for (int up = -g->clear; up <= g->clear; up++)
+    for (int across = -g->clear; across <= g->clear; across++)
+      if (!is_free(g->mission, column + across, row + up)) return false;
+  return true;
+}
+
+/* Of the cells that are clear and not among the sources, or else of all. */
 static qtr_cell farthest(const ground *g) {
+  for (size_t at = g->count; at > 0 && g->steps[g->queue[at - 1]] > 0; at--)
+    if (is_clear(g, g->queue[at - 1])) return g->queue[at - 1];
   return g->queue[g->count - 1];
 }
 
@@ -95,7 +113,7 @@ static int add_robots(input *in, ground *g, int robots, fault *why) {
   const double apart = in->frame.metric ? fmax(1.0, round(APART_M / in->frame.cell_size)) : 1.0;
   size_t at = 0;
   for (int i = 0; i < robots; i++) {
-    while (at + 1 < g->count && g->steps[g->queue[at]] < i * apart) at++;
+    while (at + 1 < g->count && (g->steps[g->queue[at]] < i * apart || !is_clear(g, g->queue[at]))) at++;
     if (add_start(in, g->queue[at], robot_name(i), why) != 0) return -1;
   }
   return 0;
@@ -137,7 +155,8 @@ static int propose(input *in, ground *g, int robots, int places, fault *why) {
 
 int propose_sites(input *in, int robots, int places, fault *why) {
   const size_t cells = qtr_mission_cells(&in->mission);
-  ground g = {.mission = &in->mission};
+  const double clear = in->frame.metric ? round(CLEAR_M / in->frame.cell_size) : 1.0;
+  ground g = {.mission = &in->mission, .clear = (int)fmax(1.0, fmin(3.0, clear))};
   g.steps = malloc(cells * sizeof *g.steps);
   g.queue = malloc(cells * sizeof *g.queue);
   int status = -1;

@@ -53,6 +53,17 @@ static void expect_whole(void) {
   read_text("mission.yaml", text, sizeof text);
 }
 
+/* `text` with the # before a key taken away. */
+static void take_up(const char *name) {
+  char line[80];
+  snprintf(line, sizeof line, "\n#%s: ", name);
+  const char *at = strstr(text, line);
+  TEST_ASSERT_NOT_NULL_MESSAGE(at, name);
+  snprintf(edited, sizeof edited, "%.*s\n%s", (int)(at - text), text, at + 2);
+  remove("edited.yaml");
+  write_file("edited.yaml", edited);
+}
+
 /* ---- whatever the map is ---- */
 
 static void test_a_ros_map_becomes_a_mission_in_metres(void) {
@@ -137,6 +148,21 @@ static void test_large_maps_get_cells_that_are_soon_planned(void) {
   TEST_ASSERT_EQUAL_INT(167, (int)json_value(r.out, "rows"));
 }
 
+/* The wall across has a door of 0.4 m. */
+static void test_what_may_shut_a_door_is_named(void) {
+  static const char sites[] = "robots: [{x: 1.5, y: 1.25}]\nplaces: [{x: 1.5, y: 3.75}]\n";
+  write_ros_map();
+  snprintf(edited, sizeof edited, "map: map.yaml\n%s", sites);
+  write_file("mission.yaml", edited);
+  run_well("check mission.yaml");
+  run_tool(&r, "check mission.yaml --cell-size 0.5");
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.err, "cells of 0.5 m may shut doors"), r.err);
+  snprintf(edited, sizeof edited, "map: map.yaml\nrobot_radius: 0.5\n%s", sites);
+  write_file("mission.yaml", edited);
+  run_tool(&r, "check mission.yaml");
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.err, "robot_radius of 0.5 m may shut doors"), r.err);
+}
+
 static void test_the_mission_may_lie_elsewhere(void) {
   mkdir("elsewhere", 0777);
   remove("elsewhere/m.yaml");
@@ -146,17 +172,6 @@ static void test_the_mission_may_lie_elsewhere(void) {
 }
 
 /* ---- keys ---- */
-
-/* `text` with the # before a key taken away. */
-static void take_up(const char *name) {
-  char line[80];
-  snprintf(line, sizeof line, "\n#%s: ", name);
-  const char *at = strstr(text, line);
-  TEST_ASSERT_NOT_NULL_MESSAGE(at, name);
-  snprintf(edited, sizeof edited, "%.*s\n%s", (int)(at - text), text, at + 2);
-  remove("edited.yaml");
-  write_file("edited.yaml", edited);
-}
 
 static void test_every_key_is_there_and_its_example_is_one_that_is_read(void) {
   write_ros_map();
@@ -191,14 +206,14 @@ static void test_the_picture_has_coordinates_along_its_edges_and_over_the_map(vo
   TEST_ASSERT_EQUAL_STRING("", r.out);
   read_text("mission.svg", text, sizeof text);
   TEST_ASSERT_NOT_NULL(strstr(text, "x, metres"));
-  TEST_ASSERT_NOT_NULL(strstr(text, "stroke-opacity=\".45\""));
+  TEST_ASSERT_NOT_NULL(strstr(text, "stroke-opacity=\".55\""));
   TEST_ASSERT_NOT_NULL(strstr(text, "Alpha: starts here"));
   run_well("draw mission.yaml -o other.svg");
   read_text("other.svg", text, sizeof text);
-  TEST_ASSERT_NULL(strstr(text, "stroke-opacity=\".45\""));
+  TEST_ASSERT_NULL(strstr(text, "stroke-opacity=\".55\""));
   run_well("draw mission.yaml --grid -o other.svg");
   read_text("other.svg", text, sizeof text);
-  TEST_ASSERT_NOT_NULL(strstr(text, "stroke-opacity=\".45\""));
+  TEST_ASSERT_NOT_NULL(strstr(text, "stroke-opacity=\".55\""));
 }
 
 /* ---- what it leaves alone ---- */
@@ -272,6 +287,7 @@ int main(void) {
   RUN_TEST(test_open_ground_needs_no_map);
   RUN_TEST(test_proposals_stand_in_the_largest_room_apart);
   RUN_TEST(test_large_maps_get_cells_that_are_soon_planned);
+  RUN_TEST(test_what_may_shut_a_door_is_named);
   RUN_TEST(test_the_mission_may_lie_elsewhere);
   RUN_TEST(test_every_key_is_there_and_its_example_is_one_that_is_read);
   RUN_TEST(test_default_and_unit_stand_beside_a_key);

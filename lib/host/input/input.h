@@ -100,6 +100,7 @@ typedef struct {
   qtr_mission mission;
   input_frame frame;             /* as positions are stated; mission.frame is the same one as a table holds it */
   double across, upward;         /* cells that the map spans, where its edge cuts the last of them; 0: all of them */
+  double resolution;             /* metres a pixel of the map's image; 0: it has none */
   qtr_geo geo;                   /* where the frame lies on the globe */
   char path[INPUT_PATH_SIZE];    /* the input itself */
   char map[INPUT_PATH_SIZE];     /* the map: the input again, or what the mission names */

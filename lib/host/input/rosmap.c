@@ -320,6 +320,7 @@ static int plan_cells(input *in, const image *picture, const rosmap_header *head
   if (check_size(in, picture, header->resolution, columns, rows, why)) return -1;
   mission->columns = (uint16_t)columns;
   mission->rows = (uint16_t)rows;
+  in->resolution = header->resolution;
   in->across = picture->width / ratio;
   in->upward = picture->height / ratio;
   in->frame = (input_frame){true, size, header->origin[0], header->origin[1], settle_yaw(header->origin[2], picture)};

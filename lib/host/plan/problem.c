@@ -81,13 +81,27 @@ static bool has_choosy_class(const qtr_mission *mission) {
   return false;
 }
 
+/* A cell that any obstacle touches is blocked: what shuts doors, where it may be that. */
+static void name_what_shuts(const problem *p, char *out, size_t size) {
+  const input *in = &p->in;
+  const bool coarse = in->resolution > 0.0 && in->frame.cell_size > 1.5 * in->resolution;
+  out[0] = '\0';
+  if (coarse)
+    snprintf(out, size,
+             "; cells of %.6g m may shut doors that a smaller cell_size leaves open (the map's pixels are %.6g m)",
+             in->frame.cell_size, in->resolution);
+  else if (in->ground.robot_radius > 0.0)
+    snprintf(out, size, "; the robot_radius of %.6g m may shut doors", in->ground.robot_radius);
+}
+
 static int handle_unreachable(problem *p, const plan_config *config, fault *why) {
-  char names[NAMES_SIZE];
+  char names[NAMES_SIZE], shuts[160];
   name_unreachable(p, names);
+  name_what_shuts(p, shuts, sizeof shuts);
   if (!config->reading.skip)
     return fault_set(
-        why, "%s: no seeker can reach %s; move or remove them%s, or leave them out with --skip-unreachable", p->in.path,
-        names, has_choosy_class(&p->in.mission) ? ", let a class go there (its avoid, or its \"rough: false\")" : "");
+        why, "%s: no seeker can reach %s; move or remove them%s, or leave them out with --skip-unreachable%s", p->in.path,
+        names, has_choosy_class(&p->in.mission) ? ", let a class go there (its avoid, or its \"rough: false\")" : "", shuts);
   drop_unreachable(p);
   if (p->in.mission.places == 0)
     return fault_set(why, "%s: no seeker can reach any place; move the starts or the places", p->in.path);
