@@ -3,8 +3,8 @@
 Every command of a document is run, and prints what the document shows. In its blocks that are indented by four blanks, a line
 that begins with "$ " is a command, as a shell takes it, with the lines of its here-documents; what follows, up to the next or the
 block's end, is what it prints. A ```yaml FILE block gives values for keys of the mission FILE, which are put into it as a
-reader would. All of a document runs in one new folder, with `quarter` in the PATH and the checkout in $QUARTER. How long learning
-took is not compared. --mend writes what is printed now into the documents.
+reader would. All of a document runs in one new folder, with `quarter` in the PATH and the checkout in $QUARTER. How many games and
+how long learning took is not compared. --mend writes what is printed now into the documents.
 
 Skipped (77) where the build lacks a library that a command of the document wants.
 """
@@ -18,7 +18,8 @@ import subprocess
 import sys
 
 INDENT = "    "
-TOOK = re.compile(r"( bytes\)), [-+.e0-9]+ s$")
+# How the plan was come to, and where in a mission that `quarter new` wrote a key stands.
+PASSING = re.compile(r"^\d+ episodes?, \d+ updates?, \d+ Q entr(?:y|ies) \(\d+ bytes?\), \S+ s$|(?<=\.yaml):\d+(?=: )")
 LACKS = re.compile(r"which was not there when Quarter was built")
 
 
@@ -81,7 +82,7 @@ def run(command, folder, environment):
 
 
 def same(printed, shown):
-    return [TOOK.sub(r"\1", line) for line in printed] == [TOOK.sub(r"\1", line) for line in shown]
+    return [PASSING.sub("", line) for line in printed] == [PASSING.sub("", line) for line in shown]
 
 
 def play_block(block, folder, environment):
