@@ -51,17 +51,17 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   board_kinds=""
   has_browser_package() { return 1; }
   expect "tools of test where there is no browser to be had" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "iproute2 libproj-dev librsvg2-dev libsodium-dev libspng-dev libstb-dev nftables spin"
+    "iproute2 libproj-dev librsvg2-dev libsodium-dev libspng-dev libstb-dev mandoc nftables scdoc spin"
   apt-cache() { return 0; }
   with_firmware=yes
   found=$(command=test missing_tools | tr ' ' '\n' | sort -u | paste -sd ' ')
   expect "tools of test --firmware" "$found" "avr-libc clang cppcheck g++ gcc-arm-none-eabi gcc-avr gcc-i686-linux-gnu \
 gcc-powerpc-linux-gnu gcc-riscv64-unknown-elf iproute2 libc6-dev-i386-cross libc6-dev-powerpc-cross libproj-dev librsvg2-dev libsodium-dev \
-libspng-dev libstb-dev nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user simavr spin"
+libspng-dev libstb-dev mandoc nftables picolibc-arm-none-eabi picolibc-riscv64-unknown-elf qemu-system-arm qemu-system-misc qemu-user scdoc simavr spin"
   with_firmware=""
   has_browser_package() { return 0; }
   expect "tools of test" "$(command=test missing_tools | sort -u | paste -sd ' ')" \
-    "chromium chromium-driver iproute2 libproj-dev librsvg2-dev libsodium-dev libspng-dev libstb-dev nftables spin"
+    "chromium chromium-driver iproute2 libproj-dev librsvg2-dev libsodium-dev libspng-dev libstb-dev mandoc nftables scdoc spin"
 }
 
 # "Install it and build again", faults of the tool say.

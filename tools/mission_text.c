@@ -91,7 +91,7 @@ static bool write_stated(FILE *out, const mission_text *text, const key_record *
 }
 
 static bool is_of_use(const mission_text *text, const key_record *r) {
-  return text->ros || r->where == NULL || strcmp(r->where, MISSION_ROS_MAPS) != 0;
+  return text->ros || r->where == NULL || strncmp(r->where, MISSION_ROS_MAPS, strlen(MISSION_ROS_MAPS)) != 0;
 }
 
 static void write_key(FILE *out, const mission_text *text, const key_record *r) {

@@ -309,7 +309,7 @@ static const key_record mission_records[] = {
          "in proportion, and the worst pixel of a cell counts",
      .example = "5",
      .standard = "greys are obstacles",
-     .where = "ROS maps of `mode: scale`",
+     .where = MISSION_ROS_MAPS " of `mode: scale`",
      .least = 1.0,
      .most = 255.0,
      KEY_FIELD(input, ground.grey_cost)},
