@@ -100,8 +100,9 @@ static int handle_unreachable(problem *p, const plan_config *config, fault *why)
   name_what_shuts(p, shuts, sizeof shuts);
   if (!config->reading.skip)
     return fault_set(
-        why, "%s: no seeker can reach %s; move or remove them%s, or leave them out with --skip-unreachable%s", p->in.path,
-        names, has_choosy_class(&p->in.mission) ? ", let a class go there (its avoid, or its \"rough: false\")" : "", shuts);
+        why, "%s: no seeker can reach %s; move or remove them%s, or leave them out with --skip-unreachable%s",
+        p->in.path, names,
+        has_choosy_class(&p->in.mission) ? ", let a class go there (its avoid, or its \"rough: false\")" : "", shuts);
   drop_unreachable(p);
   if (p->in.mission.places == 0)
     return fault_set(why, "%s: no seeker can reach any place; move the starts or the places", p->in.path);
