@@ -22,23 +22,23 @@ enum qtr_rule {
   QTR_RULE_PAPER = 1 /* Table 1: never stand down; when fewer places than seekers are left, any unvisited place */
 };
 
-/* Fill the first part, then call qtr_board_init(). */
+/* Fill all but `keys`, then call qtr_board_init(). */
 typedef struct {
   uint16_t places;                    /* 1..QTR_MAX_PLACES */
   uint16_t starts;                    /* places that a seeker may start from, 1..QTR_MAX_STARTS */
   uint8_t seekers;                    /* 1..QTR_MAX_SEEKERS */
   uint8_t rule;                       /* enum qtr_rule */
-  uint16_t start_of[QTR_MAX_SEEKERS]; /* each seeker's start, 0..starts-1: its node is places + start_of[i] */
   uint8_t step_bytes;                 /* 1, 2 or 4: of a travel time */
+  uint16_t start_of[QTR_MAX_SEEKERS]; /* each seeker's start, 0..starts-1: its node is places + start_of[i] */
   const uint8_t *steps;               /* travel times, scans included, little-endian, a row of `places` for every node,
                                          all ones for no way; one such matrix after the other for each class; must
                                          outlive the board */
-  qtr_terms terms;                    /* all 0: none */
   qtr_key_shape keys;                 /* set by qtr_board_init(): `longest` is the greatest finite travel time, or the
                                          latest ready time */
+  qtr_terms terms;                    /* all 0: none */
 } qtr_board;
 
-/* Check the first part and derive the rest. QTR_OK, QTR_ERR_ARGUMENT, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if the caller
+/* Check what is filled in and derive the rest. QTR_OK, QTR_ERR_ARGUMENT, QTR_ERR_LIMIT, or QTR_ERR_CONFIG if the caller
  * was built under other sizes. */
 #define qtr_board_init(board) qtr_board_init_built(board, QTR_CONFIG_ID)
 int qtr_board_init_built(qtr_board *board, uint32_t config_id);

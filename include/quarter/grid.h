@@ -55,12 +55,12 @@ bool qtr_frame_is_one(const qtr_frame *frame);
 enum qtr_direction { QTR_NORTH = 0, QTR_EAST = 1, QTR_SOUTH = 2, QTR_WEST = 3 };
 
 /* Cells of a grid, blocked ones included. */
-static inline uint32_t qtr_grid_cells(const qtr_grid *grid) {
+inline uint32_t qtr_grid_cells(const qtr_grid *grid) {
   return (uint32_t)grid->columns * grid->rows;
 }
 
 /* Steps that entering `cell` takes, 1..255; 0 if it is blocked or outside the grid. */
-static inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
+inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
   if (cell >= qtr_grid_cells(grid)) {
     return 0;
   }

@@ -18,21 +18,20 @@ QTR_C_BEGIN
  * seeker. */
 #define QTR_KEY_WORDS (QTR_PLACE_WORDS + 1 + (((QTR_MAX_SEEKERS * 48) + 31) / 32))
 
-/* What the numbers in a game's keys range over, and so how long keys are. Fill the first part, then call
- * qtr_key_measure(). */
+/* What the numbers in a game's keys range over, and so how long keys are. Fill what qtr_key_measure() does not set,
+ * then call it. */
 typedef struct {
-  uint16_t places;   /* 1..QTR_MAX_PLACES */
-  uint16_t nodes;    /* a node of this number or above stands for a seeker that has stood down */
-  qtr_steps longest; /* the greatest time remaining */
-  qtr_steps clock;   /* the greatest number of the clock; 0: time plays no part, and the key has no bits for it */
   uint8_t seekers;   /* 1..QTR_MAX_SEEKERS */
-  uint8_t kind[QTR_MAX_SEEKERS]; /* of each seeker: those of one kind are interchangeable, no others */
-  /* set by qtr_key_measure() */
-  uint8_t node_bits;
+  uint8_t node_bits; /* set by qtr_key_measure(), as the three below and `bits` */
   uint8_t remaining_bits;
   uint8_t clock_bits;
-  uint8_t words; /* of a key, 1..QTR_KEY_WORDS */
-  uint16_t bits; /* of a key */
+  uint8_t words;                 /* of a key, 1..QTR_KEY_WORDS */
+  uint8_t kind[QTR_MAX_SEEKERS]; /* of each seeker: those of one kind are interchangeable, no others */
+  uint16_t bits;                 /* of a key */
+  uint16_t places;               /* 1..QTR_MAX_PLACES */
+  uint16_t nodes;                /* a node of this number or above stands for a seeker that has stood down */
+  qtr_steps longest;             /* the greatest time remaining */
+  qtr_steps clock; /* the greatest number of the clock; 0: time plays no part, and the key has no bits for it */
 } qtr_key_shape;
 
 /* The least significant word first. Words beyond the shape's are not written. */
@@ -40,7 +39,7 @@ typedef struct {
   uint32_t word[QTR_KEY_WORDS];
 } qtr_key;
 
-/* Derive the size of the keys from the first part, which must be in its ranges. */
+/* Derive the size of the keys from the rest, which must be in its ranges. */
 void qtr_key_measure(qtr_key_shape *shape);
 
 QTR_C_END

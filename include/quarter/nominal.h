@@ -21,14 +21,13 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table);
 
 typedef struct {
-  qtr_steps passed; /* since the choice before */
   int seeker;
   uint16_t choice; /* a place, or QTR_STAND_DOWN */
   bool off_table;
 } qtr_move;
 
-/* Play the next choice of the joint game, in nominal time. False: the game is over; `passed` is
- * the time until then, `seeker` QTR_NOBODY, and the rest is not written. */
+/* Play the next choice of the joint game, in nominal time. False: the game is over; `seeker` is
+ * QTR_NOBODY, and the rest is not written. */
 bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move);
 
 /* Play the joint game on in nominal time until `seeker` makes its next choice. Returns that choice, or QTR_STAND_DOWN

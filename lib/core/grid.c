@@ -1,5 +1,9 @@
 #include "quarter/grid.h"
 
+/* The copies that are called. */
+extern inline uint32_t qtr_grid_cells(const qtr_grid *grid);
+extern inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell);
+
 /* Cells are counted from the north-west corner, row by row: east is one on, south a row on. Only in a row can a
  * neighbour be lost without leaving the array, so east and west ask for the column. */
 qtr_cell qtr_grid_neighbour(const qtr_grid *grid, qtr_cell cell, enum qtr_direction direction) {

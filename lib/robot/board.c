@@ -3,6 +3,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "core/apart.h"
 #include "quarter/status.h"
 
 /* Places first, then starts: a place's number is its node, and no table of the two is needed. */
@@ -34,7 +35,7 @@ qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node
   return qtr_board_class_steps(board, QTR_TERMS ? board->terms.class_of[seeker] : 0u, node, place);
 }
 
-qtr_steps qtr_board_ready(const qtr_board *board, unsigned seeker) {
+QTR_APART qtr_steps qtr_board_ready(const qtr_board *board, unsigned seeker) {
   return (QTR_TERMS && (board->terms.ready != NULL)) ? qtr_load32(board->terms.ready + (4u * seeker)) : 0u;
 }
 
@@ -78,9 +79,10 @@ int qtr_board_check(const qtr_board *board) {
   return QTR_OK;
 }
 
-static bool seats_are_starts(const qtr_board *board) {
+static bool seekers_are_sound(const qtr_board *board) {
   for (unsigned i = 0; i < board->seekers; i++) {
-    if (board->start_of[i] >= board->starts) {
+    if ((board->start_of[i] >= board->starts) ||
+        (QTR_TERMS && (board->terms.class_of[i] >= qtr_board_classes(board)))) {
       return false;
     }
   }
@@ -98,10 +100,9 @@ static qtr_steps find_longest(const qtr_board *board) {
       longest = steps;
     }
   }
-  for (unsigned i = 0; i < board->seekers; i++) {
-    if (qtr_board_ready(board, i) > longest) {
-      longest = qtr_board_ready(board, i);
-    }
+  for (unsigned i = 0; QTR_TERMS && (i < board->seekers); i++) {
+    const qtr_steps ready = qtr_board_ready(board, i);
+    longest = (ready > longest) ? ready : longest;
   }
   return longest;
 }
@@ -129,17 +130,8 @@ static void find_kinds(qtr_board *board) {
   }
 }
 
-static bool classes_are_known(const qtr_board *board) {
-  for (unsigned i = 0; QTR_TERMS && (i < board->seekers); i++) {
-    if (board->terms.class_of[i] >= qtr_board_classes(board)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 int qtr_board_derive(qtr_board *board) {
-  if (!seats_are_starts(board) || !classes_are_known(board)) {
+  if (!seekers_are_sound(board)) {
     return QTR_ERR_ARGUMENT;
   }
   board->keys.places = board->places;

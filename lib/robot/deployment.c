@@ -42,15 +42,16 @@ static bool are_home(const qtr_policy *policy, const qtr_cell *starts) {
 }
 
 void qtr_deployment_home(qtr_deployment *deployment, const qtr_policy *policy) {
-  for (unsigned i = 0; i < QTR_MAX_SEEKERS; i++) {
-    deployment->start_of[i] = policy->board.start_of[i];
-  }
-  qtr_places_clear(&deployment->cleared);
+  bytes_clear(deployment, (uint32_t)sizeof *deployment);
+  bytes_copy(deployment->start_of, policy->board.start_of, (uint32_t)sizeof deployment->start_of);
   if ((policy->features & QTR_FEATURE_CLEARED) == 0) {
     return;
   }
-  for (uint32_t i = 0; i < bits_size(policy->board.places); i++) {
-    bits_add(deployment->cleared.word, i, section_of(policy, SECTION_CLEARED)[i]);
+  const uint8_t *cleared = section_of(policy, SECTION_CLEARED);
+  for (unsigned place = 0; place < policy->board.places; place++) {
+    if (((cleared[place / 8u] >> (place % 8u)) & 1u) != 0u) {
+      place_put(&deployment->cleared, place);
+    }
   }
 }
 
@@ -91,13 +92,13 @@ int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *poli
 uint32_t qtr_deployment_identity(const qtr_deployment *deployment, const qtr_policy *policy) {
   uint32_t crc = qtr_load32(policy->bytes + QTR_POLICY_CRC);
   for (unsigned i = 0; i < policy->board.seekers; i++) {
-    uint8_t node[2];
-    qtr_store16(node, (uint32_t)policy->board.places + deployment->start_of[i]);
-    crc = qtr_crc32_add(crc, node, sizeof node);
+    crc = qtr_crc32_add_number(crc, (uint32_t)policy->board.places + deployment->start_of[i], 2);
   }
-  for (uint32_t i = 0; i < bits_size(policy->board.places); i++) {
-    const uint8_t cleared = bits_byte(deployment->cleared.word, i);
-    crc = qtr_crc32_add(crc, &cleared, 1);
+  uint32_t left = bits_size(policy->board.places);
+  for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) {
+    const uint32_t size = (left < 4u) ? left : 4u;
+    crc = qtr_crc32_add_number(crc, deployment->cleared.word[w], size);
+    left -= size;
   }
   return crc;
 }

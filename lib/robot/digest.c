@@ -9,12 +9,9 @@
 #include "quarter/nominal.h"
 #include "robot/layout.h"
 
-/* A choice, and the step at which it is made: eight bytes, none of them of the machine's own order. */
-QTR_APART static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
-  uint8_t line[8];
-  qtr_store32(line, (uint32_t)seeker | ((uint32_t)choice << 16));
-  qtr_store32(line + 4, now);
-  return qtr_crc32_add(digest, line, sizeof line);
+/* A choice, and the step at which it is made. */
+static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now) {
+  return qtr_crc32_add_number(qtr_crc32_add_number(digest, (uint32_t)seeker | ((uint32_t)choice << 16), 4), now, 4);
 }
 
 QTR_APART static void start(qtr_joint *joint, const qtr_policy *policy) {
@@ -27,12 +24,10 @@ QTR_APART static void start(qtr_joint *joint, const qtr_policy *policy) {
 static uint32_t digest_of_game(const qtr_policy *policy) {
   qtr_joint joint;
   qtr_move move;
-  qtr_steps now = 0;
   uint32_t digest = 0;
   start(&joint, policy);
   while (qtr_policy_move(policy, &joint, &move)) {
-    now += move.passed;
-    digest = add(digest, move.seeker, move.choice, now);
+    digest = add(digest, move.seeker, move.choice, joint.now);
   }
   return digest;
 }

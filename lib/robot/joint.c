@@ -6,6 +6,7 @@
 #include "quarter/status.h"
 #include "robot/bits.h"
 #include "robot/board.h"
+#include "robot/joint.h"
 
 /* At a node with no steps to go. There alone, and never between two nodes, a seeker chooses: what is chosen is carried
  * out. */
@@ -13,39 +14,25 @@ static bool is_idle(const qtr_joint *joint, unsigned seeker) {
   return (joint->node[seeker] != QTR_STAND_DOWN) && (joint->remaining[seeker] == 0u);
 }
 
-/* Idle, or not yet ready: bound for nothing. */
-static bool is_waiting(const qtr_joint *joint, const qtr_board *board, unsigned seeker) {
-  if (QTR_TERMS && (joint->node[seeker] >= board->places) && (joint->node[seeker] != QTR_STAND_DOWN)) {
-    return true;
-  }
-  return is_idle(joint, seeker);
+/* At a start, with steps to go: bound for nothing, but not idle. */
+static bool is_unready(const qtr_joint *joint, const qtr_board *board, unsigned seeker) {
+  return (joint->node[seeker] >= board->places) && (joint->node[seeker] != QTR_STAND_DOWN);
 }
 
-/* For numbers from outside, too. */
-static bool can_choose(const qtr_joint *joint, const qtr_board *board, int seeker) {
+bool qtr_joint_can_choose(const qtr_joint *joint, const qtr_board *board, int seeker) {
   return (seeker >= 0) && (seeker < board->seekers) && is_idle(joint, (unsigned)seeker);
 }
 
-#if QTR_TERMS
-/* Whether a seeker with an end is home by it, that goes to a place next. */
-QTR_APART static bool is_home_in_time(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place,
-                                      qtr_steps steps) {
+/* Whether a seeker can be at a place from its next node and free moment on, and home by its end. */
+static bool is_feasible(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place) {
+  const qtr_steps steps = qtr_steps_between(board, seeker, joint->node[seeker], place);
+  if (!QTR_TERMS || (steps == QTR_NEVER) || (board->terms.end == NULL)) {
+    return steps != QTR_NEVER;
+  }
   const qtr_steps home =
       qtr_load_steps(board->terms.home, board->step_bytes, ((uint32_t)seeker * board->places) + place);
   const qtr_steps when = joint->now + joint->remaining[seeker] + steps;
   return (home != QTR_NEVER) && ((when + home) <= qtr_load32(board->terms.end + (4u * seeker)));
-}
-#endif
-
-/* Whether a seeker can be at a place from its next node and free moment on, and home in time. */
-static bool is_feasible(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place) {
-  const qtr_steps steps = qtr_steps_between(board, seeker, joint->node[seeker], place);
-#if QTR_TERMS
-  if ((steps != QTR_NEVER) && (board->terms.end != NULL)) {
-    return is_home_in_time(joint, board, seeker, place, steps);
-  }
-#endif
-  return steps != QTR_NEVER;
 }
 
 static bool is_out(const qtr_joint *joint, unsigned seeker) {
@@ -111,11 +98,11 @@ static void stand_down_if_useless(qtr_joint *joint, const qtr_board *board, unsi
   }
 }
 
-/* Nothing comes back within a seeker's reach later: whoever has nothing to choose is out of the game, be it ready or
- * not. */
-static void stand_down_the_useless(qtr_joint *joint, const qtr_board *board) {
+/* Nothing comes back within a seeker's reach later: whoever has nothing to choose is out of the game. Those who are not
+ * ready yet go with the first choice: then it is known what that costs. */
+static void stand_down_the_useless(qtr_joint *joint, const qtr_board *board, bool is_start) {
   for (unsigned i = 0; i < board->seekers; i++) {
-    if (is_waiting(joint, board, i)) {
+    if (is_idle(joint, i) || (QTR_TERMS && !is_start && is_unready(joint, board, i))) {
       stand_down_if_useless(joint, board, i);
     }
   }
@@ -133,8 +120,7 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *s
   if (start_of == NULL) {
     start_of = board->start_of;
   }
-  qtr_places_clear(&joint->visited);
-  qtr_places_clear(&joint->bound);
+  bytes_clear(joint, (uint32_t)sizeof *joint);
   joint->unvisited = board->places;
   for (unsigned place = 0; (cleared != NULL) && (place < board->places); place++) {
     if (place_is_in(cleared, place)) {
@@ -144,30 +130,24 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *s
   for (unsigned i = 0; i < board->seekers; i++) {
     QTR_ASSERT(start_of[i] < board->starts); /* as qtr_board_init() and qtr_deployment_init() see to */
     joint->node[i] = (uint16_t)(board->places + start_of[i]);
-    joint->remaining[i] = qtr_board_ready(board, i);
+    joint->remaining[i] = QTR_TERMS ? qtr_board_ready(board, i) : 0u;
   }
-  joint->now = 0;
-  /* Those who are not ready go with the first choice: then it is known what that costs. */
-  for (unsigned i = 0; i < board->seekers; i++) {
-    if (is_idle(joint, i)) {
-      stand_down_if_useless(joint, board, i);
-    }
-  }
+  stand_down_the_useless(joint, board, true);
 }
 
-/* Whether a seeker's turn comes before that of one with a lower number. */
-static bool is_before(const qtr_joint *joint, const qtr_board *board, int seeker, int other) {
-  if (joint->node[seeker] != joint->node[other]) {
-    return joint->node[seeker] < joint->node[other];
-  }
-  return board->keys.kind[seeker] < board->keys.kind[other];
+/* Of those whose turn it could be, the one of the lowest comes first. */
+static uint32_t turn_of(const qtr_joint *joint, const qtr_board *board, unsigned seeker) {
+  return ((uint32_t)joint->node[seeker] << 8) | (QTR_TERMS ? board->keys.kind[seeker] : 0u);
 }
 
 int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board) {
   int chooser = QTR_NOBODY;
-  for (int i = 0; i < board->seekers; i++) {
-    if (is_idle(joint, (unsigned)i) && ((chooser == QTR_NOBODY) || is_before(joint, board, i, chooser))) {
-      chooser = i;
+  uint32_t lowest = UINT32_MAX;
+  for (unsigned i = 0; i < board->seekers; i++) {
+    const uint32_t rank = turn_of(joint, board, i);
+    if (is_idle(joint, i) && (rank < lowest)) {
+      chooser = (int)i;
+      lowest = rank;
     }
   }
   /* Whoever has nothing to choose has been stood down: the chooser has a place to go to. */
@@ -175,9 +155,9 @@ int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board) {
   return chooser;
 }
 
-static bool other_can_visit(const qtr_joint *joint, const qtr_board *board, int seeker, unsigned place) {
+static bool other_can_visit(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place) {
   for (unsigned i = 0; i < board->seekers; i++) {
-    if (((int)i != seeker) && !is_out(joint, i) && is_feasible(joint, board, i, place)) {
+    if ((i != seeker) && !is_out(joint, i) && is_feasible(joint, board, i, place)) {
       return true;
     }
   }
@@ -186,7 +166,8 @@ static bool other_can_visit(const qtr_joint *joint, const qtr_board *board, int 
 
 /* Where all are alike, whoever can reach one of these places can reach them all, for ways go both ways: then the first
  * tells. */
-static bool others_can_visit(const qtr_joint *joint, const qtr_board *board, int seeker, const qtr_places *choices) {
+static bool others_can_visit(const qtr_joint *joint, const qtr_board *board, unsigned seeker,
+                             const qtr_places *choices) {
   const bool first_tells = !QTR_TERMS || ((qtr_board_classes(board) == 1u) && (board->terms.end == NULL));
   for (unsigned place = 0; place < board->places; place++) {
     if (!place_is_in(choices, place)) {
@@ -200,68 +181,66 @@ static bool others_can_visit(const qtr_joint *joint, const qtr_board *board, int
   return true;
 }
 
-bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeker, qtr_places *choices) {
+bool qtr_joint_options(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices) {
   qtr_places_clear(choices);
-  if (!can_choose(joint, board, seeker) || !find_choices(joint, board, (unsigned)seeker, choices)) {
-    return false;
-  }
-  if (board->rule == QTR_RULE_PAPER) {
+  if (!find_choices(joint, board, seeker, choices) || (board->rule == QTR_RULE_PAPER)) {
     return false;
   }
   return (QTR_TERMS && board->terms.anyone_may_leave) || others_can_visit(joint, board, seeker, choices);
 }
 
+bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeker, qtr_places *choices) {
+  qtr_places_clear(choices);
+  return qtr_joint_can_choose(joint, board, seeker) && qtr_joint_options(joint, board, (unsigned)seeker, choices);
+}
+
 /* A place on the seeker's own cell takes no time: it is visited at once, and the seeker chooses again at the same
  * moment. */
-bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint16_t choice) {
-  if (!can_choose(joint, board, seeker)) {
-    return false;
-  }
+bool qtr_joint_go(qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned choice) {
   if (choice == QTR_STAND_DOWN) {
     joint->node[seeker] = QTR_STAND_DOWN;
     return false;
   }
-  if ((choice >= board->places) || place_is_in(&joint->visited, choice) ||
-      !is_feasible(joint, board, (unsigned)seeker, choice)) {
-    return false;
-  }
-  const qtr_steps steps = qtr_steps_between(board, (unsigned)seeker, joint->node[seeker], choice);
+  const qtr_steps steps = qtr_steps_between(board, seeker, joint->node[seeker], choice);
   QTR_ASSERT(steps <= board->keys.longest); /* keys have room for the longest way and no longer one */
-  joint->node[seeker] = choice;
+  joint->node[seeker] = (uint16_t)choice;
   joint->remaining[seeker] = steps;
   if (steps == 0u) {
     visit(joint, choice);
   } else {
     place_put(&joint->bound, choice);
   }
-  stand_down_the_useless(joint, board);
+  stand_down_the_useless(joint, board, false);
   return steps == 0u;
 }
 
-/* Until then nothing happens: no one arrives, so no one chooses. */
-static qtr_steps least_remaining(const qtr_joint *joint, const qtr_board *board) {
-  qtr_steps least = QTR_NEVER;
-  for (unsigned i = 0; i < board->seekers; i++) {
-    if ((joint->remaining[i] > 0u) && (joint->remaining[i] < least)) {
-      least = joint->remaining[i];
-    }
+bool qtr_joint_choose(qtr_joint *joint, const qtr_board *board, int seeker, uint16_t choice) {
+  if (!qtr_joint_can_choose(joint, board, seeker)) {
+    return false;
   }
-  return least;
+  const bool is_allowed =
+      (choice == QTR_STAND_DOWN) || ((choice < board->places) && !place_is_in(&joint->visited, choice) &&
+                                     is_feasible(joint, board, (unsigned)seeker, choice));
+  return is_allowed && qtr_joint_go(joint, board, (unsigned)seeker, choice);
+}
+
+/* Until then nothing happens: no one arrives, so no one chooses. 0: nobody is on the way. */
+static qtr_steps least_remaining(const qtr_joint *joint, const qtr_board *board) {
+  qtr_steps least = QTR_NEVER; /* one less than it, so that 0 steps are more than all others */
+  for (unsigned i = 0; i < board->seekers; i++) {
+    const qtr_steps steps = joint->remaining[i] - 1u;
+    least = (steps < least) ? steps : least;
+  }
+  return least + 1u;
 }
 
 /* Where a seeker is bound for comes up: a place, which it visits, or the moment at which it is ready, at its start. Who
  * follows another one to a place may find it visited: then it just arrives. */
-static void arrive(qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *arrived) {
+static void arrive(qtr_joint *joint, const qtr_board *board, unsigned seeker) {
   const unsigned node = joint->node[seeker];
-  if (QTR_TERMS && (node >= board->places)) {
-    return;
-  }
-  if (place_is_in(&joint->visited, node)) {
-    return;
-  }
-  visit(joint, node);
-  if (arrived != NULL) {
-    place_put(arrived, node);
+  const bool is_start = QTR_TERMS && (node >= board->places);
+  if (!is_start && !place_is_in(&joint->visited, node)) {
+    visit(joint, node);
   }
 }
 
@@ -276,9 +255,9 @@ static bool is_bound(const qtr_joint *joint, const qtr_board *board, unsigned se
 }
 
 /* To the next arrival, of one seeker or of several at once. */
-qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places *arrived) {
+qtr_steps qtr_joint_pass(qtr_joint *joint, const qtr_board *board) {
   const qtr_steps least = least_remaining(joint, board);
-  if ((joint->unvisited == 0u) || (least == QTR_NEVER)) {
+  if ((joint->unvisited == 0u) || (least == 0u)) {
     return 0;
   }
   for (unsigned i = 0; i < board->seekers; i++) {
@@ -288,10 +267,19 @@ qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places
     QTR_ASSERT(is_bound(joint, board, i));
     joint->remaining[i] -= least;
     if (joint->remaining[i] == 0u) {
-      arrive(joint, board, i, arrived);
+      arrive(joint, board, i);
     }
   }
   joint->now += least;
-  stand_down_the_useless(joint, board);
+  stand_down_the_useless(joint, board, false);
   return least;
+}
+
+qtr_steps qtr_joint_advance(qtr_joint *joint, const qtr_board *board, qtr_places *arrived) {
+  const qtr_places before = joint->visited;
+  const qtr_steps passed = qtr_joint_pass(joint, board);
+  for (unsigned w = 0; (arrived != NULL) && (w < QTR_PLACE_WORDS); w++) {
+    arrived->word[w] |= joint->visited.word[w] & ~before.word[w];
+  }
+  return passed;
 }

@@ -6,13 +6,13 @@
 #include "quarter/status.h"
 
 /* By kind, then by node. */
-static uint32_t rank_of(const qtr_joint *joint, const qtr_key_shape *shape, unsigned seeker) {
+static uint32_t standing_of(const qtr_joint *joint, const qtr_key_shape *shape, unsigned seeker) {
   return (QTR_TERMS ? ((uint32_t)shape->kind[seeker] << 16) : 0u) | joint->node[seeker];
 }
 
 static bool comes_before(const qtr_joint *joint, const qtr_key_shape *shape, unsigned i, unsigned other) {
-  const uint32_t rank = rank_of(joint, shape, i);
-  const uint32_t others = rank_of(joint, shape, other);
+  const uint32_t rank = standing_of(joint, shape, i);
+  const uint32_t others = standing_of(joint, shape, other);
   if (rank != others) {
     return rank < others;
   }

@@ -8,6 +8,7 @@
 #include "quarter/status.h"
 #include "robot/bits.h"
 #include "robot/board.h"
+#include "robot/joint.h"
 #include "robot/layout.h"
 
 /* ---- by the table ---- */
@@ -72,7 +73,7 @@ static uint64_t product(uint32_t a, uint32_t b) {
 }
 
 /* As in Smith's rule for the least weighted sum of times; of equal ones the lowest number, or robots would differ. */
-QTR_APART static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, int seeker,
+QTR_APART static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, unsigned seeker,
                                          const qtr_places *choices) {
   unsigned best = QTR_STAND_DOWN;
   rate most = {0, 1};
@@ -81,7 +82,7 @@ QTR_APART static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joi
       continue;
     }
     const rate of = {qtr_policy_weight(policy, place),
-                     qtr_steps_between(&policy->board, (unsigned)seeker, joint->node[seeker], place)};
+                     qtr_steps_between(&policy->board, seeker, joint->node[seeker], place)};
     if (product(of.weight, most.steps) > product(most.weight, of.steps)) {
       best = place;
       most = of;
@@ -92,19 +93,25 @@ QTR_APART static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joi
 
 /* ---- the game ---- */
 
-/* A record that allows no such choice can only be a forged one; it counts as none. Whose turn it is not may choose
- * nothing, and stands. */
-uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
+/* A record that allows no such choice can only be a forged one; it counts as none. */
+static uint16_t choose(const qtr_policy *policy, const qtr_joint *joint, unsigned seeker, bool *off_table) {
   qtr_places choices;
   uint16_t choice = QTR_STAND_DOWN;
-  const bool may_stand_down = qtr_joint_choices(joint, &policy->board, seeker, &choices);
-  const bool known = qtr_policy_lookup(policy, joint, &choice) &&
-                     (qtr_places_has(&choices, choice) || (may_stand_down && (choice == QTR_STAND_DOWN)));
-  if (!known) {
-    choice = choose_by_rate(policy, joint, seeker, &choices);
+  const bool may_stand_down = qtr_joint_options(joint, &policy->board, seeker, &choices);
+  *off_table = !qtr_policy_lookup(policy, joint, &choice) ||
+               ((choice == QTR_STAND_DOWN) ? !may_stand_down : !qtr_places_has(&choices, choice));
+  return *off_table ? choose_by_rate(policy, joint, seeker, &choices) : choice;
+}
+
+/* Whose turn it is not may choose nothing, and stands. */
+uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
+  bool is_off_table = false;
+  uint16_t choice = QTR_STAND_DOWN;
+  if (qtr_joint_can_choose(joint, &policy->board, seeker)) {
+    choice = choose(policy, joint, (unsigned)seeker, &is_off_table);
   }
   if (off_table != NULL) {
-    *off_table = !known && (choice != QTR_STAND_DOWN);
+    *off_table = is_off_table;
   }
   return choice;
 }
@@ -112,18 +119,15 @@ uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int
 /* Time passes only when nobody has to choose, and each time it passes somebody arrives: between two choices there are
  * no more advances than seekers, so that a call is short. */
 bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move) {
-  move->passed = 0;
   move->seeker = qtr_joint_chooser(joint, &policy->board);
   while (move->seeker == QTR_NOBODY) {
-    const qtr_steps passed = qtr_joint_advance(joint, &policy->board, NULL);
-    if (passed == 0u) {
+    if (qtr_joint_pass(joint, &policy->board) == 0u) {
       return false;
     }
-    move->passed += passed;
     move->seeker = qtr_joint_chooser(joint, &policy->board);
   }
-  move->choice = qtr_policy_choose(policy, joint, move->seeker, &move->off_table);
-  (void)qtr_joint_choose(joint, &policy->board, move->seeker, move->choice);
+  move->choice = choose(policy, joint, (unsigned)move->seeker, &move->off_table);
+  (void)qtr_joint_go(joint, &policy->board, (unsigned)move->seeker, move->choice);
   return true;
 }
 
@@ -135,9 +139,10 @@ uint16_t qtr_policy_play(const qtr_policy *policy, qtr_joint *joint, int seeker,
   }
   while (joint->node[seeker] != QTR_STAND_DOWN) {
     qtr_move move;
+    const qtr_steps before = joint->now;
     const bool goes_on = qtr_policy_move(policy, joint, &move);
     if (now != NULL) {
-      *now += move.passed;
+      *now += joint->now - before;
     }
     if (!goes_on) {
       break;

@@ -177,20 +177,21 @@ static void settle(qtr_seeker *seeker) {
 /* Looks at one place lie in one cell. By that and by nothing else are they told: whatever a table says of them, nobody
  * has looked where it has not been. */
 static bool is_same_place(const qtr_seeker *seeker, unsigned look, unsigned place) {
-  return qtr_policy_cell(seeker->policy, look) == qtr_policy_cell(seeker->policy, place);
+  const bool may_be_a_look = QTR_TERMS && (place < seeker->policy->board.places);
+  return (look == place) ||
+         (may_be_a_look && (qtr_policy_cell(seeker->policy, look) == qtr_policy_cell(seeker->policy, place)));
 }
 
 /* Which of several looks at a place was made: the one that the robot was sent for, or the first that it has not made
  * itself. */
 static unsigned look_made(const qtr_seeker *seeker, unsigned place) {
-  const qtr_board *board = &seeker->policy->board;
-  if (!QTR_TERMS || (board->terms.look_of == NULL)) {
+  if (!QTR_TERMS) {
     return place;
   }
   if (seeker->settled && (seeker->target != QTR_STAND_DOWN) && is_same_place(seeker, seeker->target, place)) {
     return seeker->target;
   }
-  for (unsigned look = 0; look < board->places; look++) {
+  for (unsigned look = 0; look < seeker->policy->board.places; look++) {
     if (is_same_place(seeker, look, place) && !place_is_in(&seeker->visited, look)) {
       return look;
     }
@@ -215,15 +216,11 @@ void qtr_seeker_visited(qtr_seeker *seeker, unsigned at) {
 
 /* All looks at it. Not taken back on a later visit: is_to_try() asks for visits first. */
 void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
-  if (place >= seeker->policy->board.places) {
-    return;
-  }
   for (unsigned look = 0; look < seeker->policy->board.places; look++) {
-    if (!is_same_place(seeker, look, place) || place_is_in(&seeker->visited, look)) {
-      continue;
+    if (is_same_place(seeker, look, place) && !place_is_in(&seeker->visited, look)) {
+      place_put(&seeker->blocked, look);
+      seeker->settled = false;
     }
-    place_put(&seeker->blocked, look);
-    seeker->settled = false;
   }
 }
 

@@ -289,7 +289,7 @@ static void test_seeker_or_choice_that_is_none_changes_nothing(void) {
       TEST_ASSERT_TRUE_MESSAGE(qtr_policy_move(&policy, &moved, &move), case_note);
       TEST_ASSERT_EQUAL_INT_MESSAGE(chooser, move.seeker, case_note);
       TEST_ASSERT_EQUAL_HEX16_MESSAGE(choice, move.choice, case_note);
-      TEST_ASSERT_EQUAL_UINT32_MESSAGE(0, move.passed, case_note);
+      TEST_ASSERT_EQUAL_UINT32_MESSAGE(joint.now, moved.now, case_note);
       TEST_ASSERT_EQUAL_MEMORY_MESSAGE(&joint, &moved, sizeof joint, case_note);
     }
   }

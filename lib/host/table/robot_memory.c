@@ -59,12 +59,10 @@ static layout grid_of(const robot_processor *processor) {
 
 static layout key_shape_of(const robot_sizes *sizes, const robot_processor *processor) {
   layout l = begin(processor);
-  put(&l, 2, 2); /* places, nodes */
-  put(&l, 2, 4); /* longest, clock */
-  put(&l, 1, 1); /* seekers */
+  put(&l, 5, 1); /* seekers, node_bits, remaining_bits, clock_bits, words */
   put(&l, sizes->of[ROBOT_SEEKERS], 1);
-  put(&l, 4, 1); /* node_bits, remaining_bits, clock_bits, words */
-  put(&l, 1, 2); /* bits */
+  put(&l, 3, 2); /* bits, places, nodes */
+  put(&l, 2, 4); /* longest, clock */
   return l;
 }
 
@@ -80,12 +78,11 @@ static layout terms_of(const robot_sizes *sizes, const robot_processor *processo
 static layout board_of(const robot_sizes *sizes, const robot_processor *processor) {
   layout l = begin(processor);
   put(&l, 2, 2); /* places, starts */
-  put(&l, 2, 1); /* seekers, rule */
+  put(&l, 3, 1); /* seekers, rule, step_bytes */
   put(&l, sizes->of[ROBOT_SEEKERS], 2);
-  put(&l, 1, 1); /* step_bytes */
   put_pointers(&l, 1);
-  put_struct(&l, terms_of(sizes, processor));
   put_struct(&l, key_shape_of(sizes, processor));
+  put_struct(&l, terms_of(sizes, processor));
   return l;
 }
 
