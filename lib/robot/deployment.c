@@ -49,7 +49,7 @@ void qtr_deployment_home(qtr_deployment *deployment, const qtr_policy *policy) {
   }
   const uint8_t *cleared = section_of(policy, SECTION_CLEARED);
   for (unsigned place = 0; place < policy->board.places; place++) {
-    if (((cleared[place / 8u] >> (place % 8u)) & 1u) != 0u) {
+    if ((((unsigned)cleared[place / 8u] >> (place % 8u)) & 1u) != 0u) {
       place_put(&deployment->cleared, place);
     }
   }
