@@ -206,7 +206,7 @@ void bus_send_scan(bus *b, const message_scan *m) {
 
 void bus_send_command(bus *b, const message_command *m) {
   char name[CHANNEL_SIZE];
-  const quarter_command wire = {m->utime, m->robot, m->left, m->right, m->read};
+  const quarter_command wire = {m->utime, m->robot, m->left, m->right, m->read, (int8_t)m->intent};
   quarter_command_publish(b->lcm, channel_of(name, KIND_COMMAND, m->robot), &wire);
   note_sent(b, KIND_COMMAND, m->utime);
 }
@@ -286,7 +286,8 @@ static bool take_command(const listener *l, const lcm_recv_buf_t *packet) {
     return false;
   if (!within(wire.left, MESSAGE_FARTHEST) || !within(wire.right, MESSAGE_FARTHEST) || !is_mark(wire.read))
     return false;
-  const message_command m = {wire.utime, wire.robot, wire.left, wire.right, wire.read != 0};
+  if (wire.intent < INTENT_SEARCH || wire.intent > INTENT_TIRED) return false;
+  const message_command m = {wire.utime, wire.robot, wire.left, wire.right, wire.read != 0, wire.intent};
   ((void (*)(void *, const message_command *))l->hear)(l->user, &m);
   return true;
 }
@@ -310,7 +311,7 @@ static bool take_terminate(const listener *l, const lcm_recv_buf_t *packet) {
 /* Of the robots and places that there are; what stands behind them says nothing. */
 static bool sound_states(const quarter_status *wire) {
   for (int robot = 0; robot < wire->robots; robot++)
-    if (wire->state[robot] < STATE_ALIVE || wire->state[robot] > STATE_OFF) return false;
+    if (wire->state[robot] < STATE_ALIVE || wire->state[robot] > STATE_TIRED) return false;
   for (int place = 0; place < wire->places; place++)
     if (wire->scanned_by[place] < -1 || wire->scanned_by[place] >= wire->robots || !is_mark(wire->found[place]))
       return false;

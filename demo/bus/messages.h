@@ -20,16 +20,21 @@ typedef struct {
 typedef struct {
   int64_t utime;
   int robot;
-  bool read;              /* the mine sensor was read, as the last command asked */
-  bool mine;              /* and there is a mine within its range */
+  bool read;              /* a look of the mine sensor, which the last command asked for, has ended */
+  bool mine;              /* and it saw a mine within its range */
   float range[DEMO_RAYS]; /* to the nearest thing, ray r at heading + r / DEMO_RAYS of a turn */
 } message_scan;
+
+/* What a robot is about, for viewers: it searches, waits until it is ready, goes home with all done or, its battery too
+ * low for what it leaves, without. */
+enum message_intent { INTENT_SEARCH = 0, INTENT_WAIT = 1, INTENT_HOME = 2, INTENT_TIRED = 3 };
 
 typedef struct {
   int64_t utime;
   int robot;
   double left, right; /* metres a second */
   bool read;          /* read the mine sensor */
+  int intent;         /* enum message_intent */
 } message_command;
 
 typedef struct {
@@ -40,7 +45,14 @@ typedef struct {
   uint32_t identity, run; /* as of a qtr_signal */
 } message_terminate;
 
-enum message_state { STATE_ALIVE = 0, STATE_STOPPED = 1, STATE_LOST = 2, STATE_STUCK = 3, STATE_OFF = 4 };
+enum message_state {
+  STATE_ALIVE = 0,
+  STATE_STOPPED = 1,
+  STATE_LOST = 2,
+  STATE_STUCK = 3,
+  STATE_OFF = 4,
+  STATE_TIRED = 5
+};
 
 typedef struct {
   int64_t utime;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "looks.h"
 #include "quarter/seeker.h"
 #include "rng.h"
 
@@ -11,6 +12,7 @@
 #define WATCHDOG 500000 /* microseconds without a command after which wheels stand */
 #define STILL 0.5       /* seconds of standing orders after which a robot counts as stopped */
 #define LINGER 1.0      /* seconds for which the game goes on after the last one stopped */
+#define NEAR_HOME 1.8   /* cells from its start at which a robot that went home is there */
 #define MOVED 0.3       /* cells that count as making way */
 #define DEADLOCK 20.0   /* seconds without, on good ground */
 
@@ -29,15 +31,35 @@ static void note(arena *a, arena_event event) {
 
 /* ---- what it hears ---- */
 
+/* What a command says of its robot's intent that viewers would hear of; EVENT_MORE: nothing. */
+static int news_of(const arena_robot *r, const message_command *m) {
+  if (m->intent == r->intent || r->state == STATE_LOST) return EVENT_MORE;
+  if (m->intent == INTENT_HOME) return EVENT_HOMEWARD;
+  if (m->intent == INTENT_TIRED) return EVENT_TIRED;
+  return r->intent == INTENT_WAIT ? EVENT_READY : EVENT_MORE;
+}
+
+/* Who goes says where to; who stands has arrived, or was never on its way. */
+static void heed_intent(arena *a, const message_command *m) {
+  arena_robot *r = &a->robot[m->robot];
+  if (m->left != 0.0 || m->right != 0.0) {
+    const int news = news_of(r, m);
+    if (news != EVENT_MORE) note(a, (arena_event){.kind = news, .robot = m->robot, .place = -1, .territory = -1});
+    r->homeward = m->intent >= INTENT_HOME;
+  }
+  r->intent = m->intent;
+}
+
 static void hear_command(void *user, const message_command *m) {
   arena *a = user;
   if (m->robot >= a->robots) return;
   a->commands++;
   arena_robot *r = &a->robot[m->robot];
   if (r->off) return; /* said before its power failed */
-  const bool still = m->left == 0.0 && m->right == 0.0;
+  const bool still = m->left == 0.0 && m->right == 0.0 && !m->read && m->intent != INTENT_WAIT;
   if (still && !r->still) r->still_since = a->now;
   r->still = still;
+  heed_intent(a, m);
   r->read = m->read;
   r->heard = true;
   r->commanded = utime_of(a);
@@ -65,10 +87,21 @@ static void hear_terminate(void *user, const message_terminate *m) {
 static int draw_mine(const arena *a, rng *dice) {
   double left = rng_unit(dice);
   for (int place = 0; place < a->places - 1; place++) {
-    left -= table_probability(a->t, (unsigned)place);
+    left -= a->setup.truth != NULL ? a->setup.truth->likelihood[place] : table_probability(a->t, (unsigned)place);
     if (left < 0.0) return place;
   }
   return a->places - 1;
+}
+
+/* Whether a place of the table is one of the mission's own, and no later look at one: those come behind. */
+static bool is_own(const arena *a, int place) {
+  return (int)qtr_policy_place(&a->t->policy, (unsigned)place) == place;
+}
+
+static void count_owed(arena *a) {
+  const qtr_policy *policy = &a->t->policy;
+  for (int place = 0; place < a->places; place++) a->scanned_by[place] = -1;
+  for (unsigned look = 0; look < policy->board.places; look++) a->owed[qtr_policy_place(policy, look)]++;
 }
 
 int arena_open(arena *a, const table *t, bus *b, const arena_setup *setup, fault *why) {
@@ -80,7 +113,7 @@ int arena_open(arena *a, const table *t, bus *b, const arena_setup *setup, fault
   a->setup = *setup;
   a->g = ground_of(&t->policy);
   a->robots = t->policy.board.seekers;
-  a->places = t->policy.board.places;
+  while (a->places < t->policy.board.places && is_own(a, a->places)) a->places++;
   if (a->robots > DEMO_MOST_ROBOTS || a->places > DEMO_MOST_PLACES)
     return fault_set(why, "the demo holds %d robots and %d places at most; this table has %d and %d", DEMO_MOST_ROBOTS,
                      DEMO_MOST_PLACES, a->robots, a->places);
@@ -92,8 +125,10 @@ int arena_open(arena *a, const table *t, bus *b, const arena_setup *setup, fault
   a->w = world_new(&t->policy, rng_next(&dice));
   if (a->w == NULL) return fault_set(why, "no memory for the world");
   a->found_at = -1.0;
-  for (int place = 0; place < a->places; place++) a->scanned_by[place] = -1;
+  count_owed(a);
   for (int i = 0; i < a->robots; i++) {
+    a->robot[i].body = body_of(&t->policy, (unsigned)i);
+    a->robot[i].look.place = -1;
     a->robot[i].stopped_at = -1.0;
     a->robot[i].anchor = world_pose_of(a->w, i).at;
     bus_hear_command(b, i, hear_command, a);
@@ -114,38 +149,79 @@ static bool over_place(const arena *a, point at, int place) {
   return hypot(middle.x - at.x, middle.y - at.y) < DEMO_MINE_RANGE;
 }
 
-static void note_scan(arena *a, int robot, int place) {
-  arena_robot *r = &a->robot[robot];
-  if (qtr_places_has(&r->scanned, (unsigned)place)) return;
-  qtr_places_add(&r->scanned, (unsigned)place);
-  if (a->scanned_by[place] >= 0) {
+/* The place under a robot's sensor; -1: none. */
+static int place_under(const arena *a, point at) {
+  for (int place = 0; place < a->places; place++)
+    if (over_place(a, at, place)) return place;
+  return -1;
+}
+
+static double detection_of(const arena *a, int place) {
+  return a->setup.truth != NULL ? a->setup.truth->detection[place] : 1.0;
+}
+
+/* What a look is to viewers; EVENT_MORE: nothing that they would hear of. */
+static int kind_of_look(const arena *a, int place, bool saw) {
+  if (a->found_at < 0.0 && saw) return EVENT_FOUND;
+  if (a->found_at < 0.0 && place == a->mine) return EVENT_MISSED;
+  if (a->looks[place] > a->owed[place]) return EVENT_MORE;
+  return a->looks[place] == 1 ? EVENT_SCANNED : EVENT_LOOKED;
+}
+
+static void note_look(arena *a, int robot, int place, bool saw) {
+  const int kind = kind_of_look(a, place, saw);
+  if (kind == EVENT_FOUND) a->found_at = a->now;
+  if (kind != EVENT_MORE) note(a, (arena_event){.kind = kind, .robot = robot, .place = place, .territory = -1});
+  if (a->looks[place] > a->owed[place]) {
     a->duplicates++;
     return;
   }
-  a->scanned_by[place] = (int8_t)robot;
-  a->scanned_at[place] = a->now;
-  const bool found = place == a->mine;
-  if (found) a->found_at = a->now;
-  note(a, (arena_event){.kind = found ? EVENT_FOUND : EVENT_SCANNED, .robot = robot, .place = place, .territory = -1});
+  a->look_place[a->counted] = (uint16_t)place;
+  a->look_at[a->counted++] = a->now;
 }
 
-/* Read a robot's mine sensor: every place under it counts as scanned. Whether there is a mine. */
-static bool sense_mine(arena *a, int robot, point at) {
-  bool mine = false;
-  for (int place = 0; place < a->places; place++) {
-    if (!over_place(a, at, place)) continue;
-    note_scan(a, robot, place);
-    mine = mine || place == a->mine;
+/* A look has ended: whether it saw a mine. */
+static bool end_look(arena *a, int robot, int place) {
+  a->looks[place]++;
+  qtr_places_add(&a->robot[robot].scanned, (unsigned)place);
+  if (a->scanned_by[place] < 0) {
+    a->scanned_by[place] = (int8_t)robot;
+    a->scanned_at[place] = a->now;
   }
-  return mine;
+  const bool saw = place == a->mine && looks_find(a->setup.seed, a->looks[place], detection_of(a, place));
+  note_look(a, robot, place, saw);
+  return saw;
+}
+
+/* Read a robot's mine sensor, as it asks. Whether a look has ended, and in *mine what it saw. Where looks take no time
+ * there is one for as long as it stays, for its answer may be lost on the way; and what was found is marked. */
+static bool sense_mine(arena *a, int robot, point at, bool *mine) {
+  arena_robot *r = &a->robot[robot];
+  const int place = r->read ? place_under(a, at) : -1;
+  if (place != r->look.place) r->look = (arena_look){.place = place, .since = a->now};
+  *mine = place >= 0 && place == a->mine && a->found_at >= 0.0 && !a->setup.clear_all;
+  if (place < 0 || *mine) return r->read;
+  const double takes = (double)body_scan(&r->body, (unsigned)place) / 1e6;
+  if (!r->look.ended) {
+    if (a->now + 1e-9 < r->look.since + takes) return false;
+    r->look.saw = end_look(a, robot, place);
+    r->look.ended = takes <= 0.0;
+    r->look.since = a->now;
+  }
+  *mine = r->look.saw;
+  return true;
+}
+
+static bool is_looking(const arena_robot *r) {
+  return r->look.place >= 0 && !r->look.ended;
 }
 
 static void publish_robot(arena *a, int robot) {
   const world_pose pose = world_pose_of(a->w, robot);
   const message_pose where = {utime_of(a), robot, ground_x_m(&a->g, pose.at), ground_y_m(&a->g, pose.at),
                               pose.heading + a->g.turn};
-  message_scan scan = {.utime = where.utime, .robot = robot, .read = a->robot[robot].read};
-  if (scan.read) scan.mine = sense_mine(a, robot, pose.at);
+  message_scan scan = {.utime = where.utime, .robot = robot};
+  scan.read = sense_mine(a, robot, pose.at, &scan.mine);
   world_look(a->w, robot, scan.range, DEMO_RAYS);
   for (int ray = 0; ray < DEMO_RAYS; ray++) scan.range[ray] *= (float)a->g.cell_size;
   bus_send_pose(a->b, &where);
@@ -155,10 +231,13 @@ static void publish_robot(arena *a, int robot) {
 static void publish_status(const arena *a) {
   message_status m = {
       .utime = utime_of(a), .robots = a->robots, .places = a->places, .mines_found = a->found_at >= 0.0};
-  for (int i = 0; i < a->robots; i++) m.state[i] = (int8_t)(a->robot[i].state);
+  for (int i = 0; i < a->robots; i++) {
+    const arena_robot *r = &a->robot[i];
+    m.state[i] = (int8_t)(r->state == STATE_ALIVE && r->intent == INTENT_TIRED ? STATE_TIRED : r->state);
+  }
   for (int place = 0; place < a->places; place++) {
     m.scanned_by[place] = a->scanned_by[place];
-    m.found[place] = a->scanned_by[place] >= 0 && place == a->mine;
+    m.found[place] = a->found_at >= 0.0 && place == a->mine;
   }
   bus_send_status(a->b, &m);
 }
@@ -256,6 +335,30 @@ static void watch_silence(arena *a, int robot) {
   strike(a, &lost, robot);
 }
 
+/* It went home, and was not stopped on the way there. */
+static bool is_home(const arena *a, int robot) {
+  const qtr_policy *policy = &a->t->policy;
+  const point home =
+      ground_centre(&a->g, qtr_policy_cell(policy, (unsigned)policy->board.places + policy->board.start_of[robot]));
+  const point at = world_pose_of(a->w, robot).at;
+  return a->robot[robot].homeward && hypot(at.x - home.x, at.y - home.y) < NEAR_HOME;
+}
+
+/* Its battery has ended on the way. */
+static void watch_battery(arena *a, int robot) {
+  arena_robot *r = &a->robot[robot];
+  if (r->state == STATE_LOST || r->stopped_at >= 0.0 || utime_of(a) < r->body.empty) return;
+  r->state = STATE_LOST;
+  settle(a, robot);
+  note(a, (arena_event){.kind = EVENT_EMPTY, .robot = robot, .place = -1, .territory = -1});
+}
+
+static void note_stop(arena *a, int robot) {
+  const int kind = is_home(a, robot) ? EVENT_HOME : EVENT_STOPPED;
+  a->robot[robot].stopped_at = a->robot[robot].still_since;
+  note(a, (arena_event){.kind = kind, .robot = robot, .place = -1, .territory = -1});
+}
+
 static void watch_stop(arena *a, int robot) {
   arena_robot *r = &a->robot[robot];
   if (r->state == STATE_LOST || r->off) return;
@@ -263,8 +366,7 @@ static void watch_stop(arena *a, int robot) {
     r->stopped_at = -1.0;
     if (r->state == STATE_STOPPED) r->state = STATE_ALIVE;
   } else if (r->stopped_at < 0.0 && a->now - r->still_since >= STILL) {
-    r->stopped_at = r->still_since;
-    note(a, (arena_event){.kind = EVENT_STOPPED, .robot = robot, .place = -1, .territory = -1});
+    note_stop(a, robot);
   }
   /* Now, or when it is no longer stuck. */
   if (r->stopped_at >= 0.0 && r->state == STATE_ALIVE) r->state = STATE_STOPPED;
@@ -273,8 +375,9 @@ static void watch_stop(arena *a, int robot) {
 static void watch_deadlock(arena *a, int robot) {
   arena_robot *r = &a->robot[robot];
   const point at = world_pose_of(a->w, robot).at;
-  const double patience = DEADLOCK * ground_slowness(&a->g, at);
-  if (r->state != STATE_ALIVE || hypot(at.x - r->anchor.x, at.y - r->anchor.y) > MOVED) {
+  const double patience = DEADLOCK * ground_slowness(&a->g, at) / r->body.speed;
+  const bool waits = is_looking(r) || r->intent == INTENT_WAIT;
+  if (r->state != STATE_ALIVE || waits || hypot(at.x - r->anchor.x, at.y - r->anchor.y) > MOVED) {
     r->anchor = at;
     r->anchored = a->now;
     r->deadlocked = false;
@@ -295,6 +398,7 @@ void arena_advance(arena *a) {
   for (int robot = 0; robot < a->robots; robot++) {
     watch_silence(a, robot);
     watch_stop(a, robot);
+    watch_battery(a, robot);
     watch_deadlock(a, robot);
   }
 }

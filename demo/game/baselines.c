@@ -1,5 +1,6 @@
 #include "baselines.h"
 
+#include <limits.h>
 #include <string.h>
 
 static bool is_left_out(const baseline *b, unsigned place) {
@@ -10,15 +11,26 @@ static bool is_left_out(const baseline *b, unsigned place) {
   return false;
 }
 
+/* How many looks at its place come before one. */
+static int round_of(const baseline *b, unsigned look) {
+  int before = 0;
+  for (unsigned other = 0; other < look; other++)
+    before += qtr_policy_place(b->policy, other) == qtr_policy_place(b->policy, look);
+  return before;
+}
+
 static void choose(baseline *b) {
   const qtr_board *board = &b->policy->board;
   qtr_steps least = QTR_NEVER;
+  int first = INT_MAX;
   b->target = QTR_STAND_DOWN;
   if (b->found) return;
   for (unsigned place = 0; place < board->places; place++) {
     const qtr_steps steps = place == b->node ? 0 : qtr_board_steps(board, (unsigned)b->self, b->node, place);
-    if (is_left_out(b, place) || steps >= least) continue;
+    const int round = round_of(b, place);
+    if (steps == QTR_NEVER || is_left_out(b, place) || round > first || (round == first && steps >= least)) continue;
     least = steps;
+    first = round;
     b->target = (uint16_t)place;
   }
 }

@@ -1,6 +1,7 @@
-/* Robots without a plan, to see what dividing the territory is worth: each goes to the nearest place not yet scanned.
- * Blind ones know of their own scans alone; informed ones know at every moment of everybody's scans and targets, by a
- * communication that real robots of this demo do not have. */
+/* Robots without a plan, to see what dividing the territory is worth: each goes to the nearest place not yet scanned;
+ * where looks may miss, round all of them again, for as often as the plan looks there. Blind ones know of their own
+ * scans alone; informed ones know at every moment of everybody's scans and targets, by a communication that real robots
+ * of this demo do not have. */
 #ifndef QUARTER_DEMO_BASELINES_H
 #define QUARTER_DEMO_BASELINES_H
 

@@ -1,5 +1,6 @@
 #include "faults.h"
 
+#include "body.h"
 #include "host/base/file.h"
 #include "host/input/tree.h"
 
@@ -188,5 +189,6 @@ int faults_read(fault_script *script, const char *path, const table *t, fault *w
     tree_free(&yaml);
   }
   file_free(&bytes);
+  for (int i = 0; i < script->count; i++) script->event[i].at /= body_pace(&t->policy);
   return status;
 }

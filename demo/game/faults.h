@@ -31,7 +31,7 @@ enum fault_kind {
 };
 
 typedef struct {
-  double at; /* seconds */
+  double at; /* seconds of the world's clock; in a file, of the mission */
   int kind;  /* enum fault_kind */
   int robot; /* -1: all */
   double share;

@@ -5,13 +5,17 @@
 #include <time.h>
 
 #include "baselines.h"
-#include "driver.h"
 #include "host/base/clock.h"
+#include "looks.h"
+#include "sweeper.h"
 #include "wiring.h"
 
 /* All that a game needs beside its arena. */
-const char *const game_strategies[] = {
-    [STRATEGY_PLAN] = "plan", [STRATEGY_NEAREST] = "nearest", [STRATEGY_INFORMED] = "informed", NULL};
+const char *const game_strategies[] = {[STRATEGY_PLAN] = "plan",
+                                       [STRATEGY_NEAREST] = "nearest",
+                                       [STRATEGY_INFORMED] = "informed",
+                                       [STRATEGY_PLAIN] = "plain",
+                                       NULL};
 
 typedef struct {
   arena a;
@@ -19,11 +23,26 @@ typedef struct {
   qtr_seeker seeker[DEMO_MOST_ROBOTS];
   uint8_t save[DEMO_MOST_ROBOTS][QTR_SAVE_BYTES]; /* of the seekers, in memory that outlasts a reset */
   baseline baseline[DEMO_MOST_ROBOTS];
+  sweeper sweeper[DEMO_MOST_ROBOTS];
   robot *crew;
 } game;
 
-double game_step_seconds(void) {
-  return 1.0 / DRIVER_SPEED;
+double game_step_seconds(const table *t) {
+  return body_step_seconds(&t->policy);
+}
+
+double game_pace(const table *t) {
+  return body_pace(&t->policy);
+}
+
+/* Who tires may be on its way home until its battery is empty. */
+double game_limit_seconds(const table *t, const fault_script *faults) {
+  double limit = 4 * game_plan_seconds(t) + game_door_seconds(t, faults);
+  for (unsigned i = 0; i < t->policy.board.seekers; i++) {
+    const robot_body body = body_of(&t->policy, i);
+    if (body_tires(&body) && (double)body.empty / 1e6 > limit) limit = (double)body.empty / 1e6;
+  }
+  return limit + 120;
 }
 
 double game_plan_seconds(const table *t) {
@@ -33,7 +52,7 @@ double game_plan_seconds(const table *t) {
   for (int i = 0; i < t->policy.board.seekers; i++)
     if (routes[i].places > 0 && routes[i].step[routes[i].places - 1] > last)
       last = routes[i].step[routes[i].places - 1];
-  return last * game_step_seconds();
+  return last * game_step_seconds(t);
 }
 
 double game_door_seconds(const table *t, const fault_script *faults) {
@@ -48,11 +67,14 @@ double game_unplanned_seconds(const table *t, const fault_script *faults) {
 /* ---- setting up ---- */
 
 static robot_pilot pilot_of(game *g, const game_setup *setup, int i) {
-  return setup->strategy == STRATEGY_PLAN ? robot_pilot_of_plan(&g->seeker[i]) : baseline_pilot(&g->baseline[i]);
+  if (setup->strategy == STRATEGY_PLAN) return robot_pilot_of_plan(&g->seeker[i]);
+  return setup->strategy == STRATEGY_PLAIN ? sweeper_pilot(&g->sweeper[i]) : baseline_pilot(&g->baseline[i]);
 }
 
 static void start_robot(game *g, const game_setup *setup, int i) {
-  robot_init(&g->crew[i], &setup->t->policy, i, setup->arena.clear_all, pilot_of(g, setup, i), wiring_voice(g->b));
+  const table *played = setup->strategy == STRATEGY_PLAIN ? setup->plain : setup->t;
+  robot_init(&g->crew[i], &played->policy, i, setup->arena.clear_all, pilot_of(g, setup, i), wiring_voice(g->b));
+  robot_embody(&g->crew[i], &setup->t->policy);
 }
 
 static void make_crew(game *g, const game_setup *setup) {
@@ -61,6 +83,8 @@ static void make_crew(game *g, const game_setup *setup) {
     baseline_init(&g->baseline[i], &setup->t->policy, i, setup->strategy == STRATEGY_INFORMED ? g->baseline : NULL);
   for (int i = 0; i < robots; i++) {
     qtr_seeker_init(&g->seeker[i], &setup->t->policy, (unsigned)i, NULL, setup->arena.run);
+    if (setup->strategy == STRATEGY_PLAIN)
+      sweeper_init(&g->sweeper[i], &setup->plain->policy, &setup->t->policy, i, setup->arena.run);
     start_robot(g, setup, i);
     wiring_listen(g->b, &g->crew[i]);
   }
@@ -128,6 +152,9 @@ void game_tell(const arena *a, const bus *b, game_result *result) {
                           .found_at = a->found_at,
                           .all_stopped_at = arena_all_stopped_at(a),
                           .mine = a->mine,
+                          .looks_needed = a->mine >= 0 && a->setup.truth != NULL
+                                              ? looks_needed(a->setup.seed, a->setup.truth->detection[a->mine])
+                                              : 1,
                           .duplicates = a->duplicates,
                           .collisions = world_collisions(a->w),
                           .deadlocks = a->deadlocks,

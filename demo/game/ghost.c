@@ -40,19 +40,14 @@ static void take_samples(ghost *g, const arena *a) {
 /* ---- its end ---- */
 
 static bool all_scanned(const arena *a) {
-  for (int place = 0; place < a->places; place++)
-    if (a->scanned_by[place] < 0) return false;
-  return true;
+  return a->counted == a->t->policy.board.places;
 }
 
 /* Where a find ends the search it is the finish; else the last scan is. */
 static double finished_at(const arena *a) {
-  double last = -1.0;
   if (!a->setup.clear_all && a->mine >= 0) return a->found_at;
   if (!all_scanned(a)) return -1.0;
-  for (int place = 0; place < a->places; place++)
-    if (a->scanned_at[place] > last) last = a->scanned_at[place];
-  return last;
+  return a->look_at[a->counted - 1];
 }
 
 /* Robots without a plan go on for long after their last new place: that is of no interest. */
@@ -72,8 +67,7 @@ static int finish(void *user, const arena *a, const game_result *result, fault *
   haunting *h = user;
   ghost *g = h->g;
   (void)why;
-  for (int place = 0; place < a->places; place++)
-    if (a->scanned_by[place] >= 0) g->scan[g->scans++] = (ghost_scan){a->scanned_at[place], place};
+  for (int i = 0; i < a->counted; i++) g->scan[g->scans++] = (ghost_scan){a->look_at[i], a->look_place[i]};
   qsort(g->scan, (size_t)g->scans, sizeof *g->scan, compare_scans);
   g->duplicates = a->duplicates;
   g->duration = result->duration;

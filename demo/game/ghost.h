@@ -23,7 +23,7 @@ typedef struct {
   double next; /* seconds: of the next one */
   int samples; /* of each robot */
   ghost_sample track[DEMO_MOST_ROBOTS][GHOST_SAMPLES];
-  int scans; /* the first of each place, in the order of their times */
+  int scans; /* the first of each place, and later ones that a plan would have there, in the order of their times */
   ghost_scan scan[QTR_MAX_PLACES];
   int duplicates;     /* scans of what had been scanned */
   double duration;    /* seconds */

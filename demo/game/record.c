@@ -108,23 +108,38 @@ static void write_seconds(json *j, const char *key, double seconds) {
     json_null(j, key);
 }
 
-static double planned_at(const plan *p, int place) {
-  return place >= 0 && p->step[place] != QTR_NEVER ? p->step[place] * game_step_seconds() : -1.0;
+/* Seconds of the mission, which are those told; below 0 stays so. */
+static double told(const plan *p, double seconds) {
+  return game_pace(&p->t) * seconds;
+}
+
+static double planned_at(const plan *p, int place, int look) {
+  const qtr_steps step = plan_look_step(p, place, look);
+  return step != QTR_NEVER ? told(p, step * game_step_seconds(&p->t)) : -1.0;
+}
+
+/* What each look at a place counts, where that is more than one number says. */
+static void write_looks(json *j, const plan *p, int place) {
+  if (plan_look(p, place, 2) < 0 && p->truth.detection[place] >= 1.0) return;
+  json_flat_array(j, "looks");
+  for (int n = 1; plan_look(p, place, n) >= 0; n++) json_number(j, NULL, p->likelihood[plan_look(p, place, n)]);
+  json_end_array(j);
 }
 
 static void write_places(json *j, const plan *p) {
   const naming n = table_naming(&p->t);
   json_array(j, "places");
-  for (int place = 0; place < p->t.policy.board.places; place++) {
+  for (int place = 0; place < p->places; place++) {
     const point at = middle_of(p, qtr_policy_cell(&p->t.policy, (unsigned)place));
     json_flat_object(j, NULL);
     json_integer(j, "number", p->t.number[place]);
     naming_json_place(&n, j, (unsigned)place);
     json_number(j, "x", at.x);
     json_number(j, "y", at.y);
-    json_number(j, "likelihood", p->likelihood[place]);
+    json_number(j, "likelihood", p->truth.likelihood[place]);
     json_integer(j, "territory", p->territory[place]);
-    write_seconds(j, "planned", planned_at(p, place));
+    write_seconds(j, "planned", planned_at(p, place, 1));
+    write_looks(j, p, place);
     json_end_object(j);
   }
   json_end_array(j);
@@ -141,15 +156,16 @@ static void write_starts(json *j, const plan *p) {
 /* A route as the cells it leads through. */
 static void write_route(json *j, const plan *p, int seeker, qtr_field *way) {
   const qtr_policy *policy = &p->t.policy;
+  const qtr_grid ground = qtr_policy_ground(policy, (unsigned)seeker);
   const table_route *route = &p->routes[seeker];
   qtr_cell cell = qtr_policy_cell(policy, (unsigned)policy->board.places + policy->board.start_of[seeker]);
   json_flat_array(j, NULL);
   write_point(j, NULL, middle_of(p, cell));
   for (int i = 0; i < route->places; i++) {
     const qtr_cell goal = qtr_policy_cell(policy, route->place[i]);
-    qtr_field_fill(way, &policy->grid, goal);
+    qtr_field_fill(way, &ground, goal);
     while (cell != goal && cell != QTR_NO_CELL) {
-      cell = qtr_field_next(way, &policy->grid, cell);
+      cell = qtr_field_next(way, &ground, cell);
       write_point(j, NULL, middle_of(p, cell));
     }
   }
@@ -175,7 +191,7 @@ static void write_plan(json *j, const plan *p) {
       if (p->step[place] != QTR_NEVER && p->step[place] > step && p->step[place] < next) next = p->step[place];
     if (next >= last) break;
     step = next;
-    write_point(j, NULL, (point){step * game_step_seconds(), plan_found_by(p, step)});
+    write_point(j, NULL, (point){told(p, step * game_step_seconds(&p->t)), plan_found_by(p, step)});
   }
   json_end_array(j);
 }
@@ -199,7 +215,8 @@ static void write_said(json *j, const record *r) {
   uint64_t last = 0;
   json_flat_array(j, "said");
   for (size_t i = 0; i < r->samples; i++) {
-    if (r->said[i] != last) write_point(j, NULL, (point){thousandths(RECORD_TICK * (double)i), (double)r->said[i]});
+    if (r->said[i] != last)
+      write_point(j, NULL, (point){thousandths(told(r->p, RECORD_TICK * (double)i)), (double)r->said[i]});
     last = r->said[i];
   }
   json_end_array(j);
@@ -215,16 +232,17 @@ static void write_ghost_track(json *j, const ghost *g, int robot) {
   json_end_object(j);
 }
 
-static void write_ghost(json *j, const ghost *g) {
+static void write_ghost(json *j, const plan *p, const ghost *g) {
   json_object(j, "ghost");
   json_string(j, "strategy", game_strategies[STRATEGY_NEAREST]);
-  json_number(j, "duration", thousandths(g->duration));
-  write_seconds(j, "finished_at", g->finished_at);
+  json_number(j, "duration", thousandths(told(p, g->duration)));
+  write_seconds(j, "finished_at", told(p, g->finished_at));
   json_integer(j, "duplicates", g->duplicates);
   json_flat_array(j, "scans");
-  for (int i = 0; i < g->scans; i++) write_point(j, NULL, (point){thousandths(g->scan[i].at), g->scan[i].place});
+  for (int i = 0; i < g->scans; i++)
+    write_point(j, NULL, (point){thousandths(told(p, g->scan[i].at)), g->scan[i].place});
   json_end_array(j);
-  json_number(j, "tick", g->tick);
+  json_number(j, "tick", told(p, g->tick));
   json_array(j, "tracks");
   for (int robot = 0; robot < g->robots; robot++) write_ghost_track(j, g, robot);
   json_end_array(j);
@@ -253,6 +271,11 @@ static void describe_shut(char text[EVENT_TEXT], const naming_label *place) {
 
 static void describe(char text[EVENT_TEXT], const plan *p, const arena_event *e) {
   static const char *const does[] = {[EVENT_STOPPED] = "stopped",
+                                     [EVENT_READY] = "sets out",
+                                     [EVENT_HOMEWARD] = "has nothing left to do: it goes home",
+                                     [EVENT_TIRED] = "is low on battery: it goes home",
+                                     [EVENT_HOME] = "is home",
+                                     [EVENT_EMPTY] = "is lost: its battery is empty",
                                      [EVENT_LOST] = "is lost",
                                      [EVENT_STUCK] = "is stuck",
                                      [EVENT_UNSTUCK] = "drives again",
@@ -263,6 +286,12 @@ static void describe(char text[EVENT_TEXT], const plan *p, const arena_event *e)
   const naming_label robot = robot_of(&n, e), place = place_of(&n, e);
   switch (e->kind) {
   case EVENT_SCANNED: snprintf(text, EVENT_TEXT, "robot %s scanned place %s: clear", robot.text, place.text); break;
+  case EVENT_LOOKED:
+    snprintf(text, EVENT_TEXT, "robot %s scanned place %s again: clear", robot.text, place.text);
+    break;
+  case EVENT_MISSED:
+    snprintf(text, EVENT_TEXT, "robot %s scanned place %s and missed what is there", robot.text, place.text);
+    break;
   case EVENT_FOUND: snprintf(text, EVENT_TEXT, "robot %s found it at place %s", robot.text, place.text); break;
   case EVENT_DONE:
     snprintf(text, EVENT_TEXT, "robot %s: territory %s is done", robot.text,
@@ -284,12 +313,14 @@ static void write_event(json *j, const plan *p, const arena_event *e) {
       [EVENT_STOPPED] = "stopped", [EVENT_LOST] = "lost",           [EVENT_STUCK] = "stuck",
       [EVENT_UNSTUCK] = "unstuck", [EVENT_SLIP] = "slip",           [EVENT_LOSS] = "loss",
       [EVENT_SHUT] = "shut",       [EVENT_DEADLOCK] = "deadlock",   [EVENT_MORE] = "more",
-      [EVENT_RESET] = "reset",     [EVENT_RESTARTED] = "restarted",
+      [EVENT_RESET] = "reset",     [EVENT_RESTARTED] = "restarted", [EVENT_LOOKED] = "looked",
+      [EVENT_MISSED] = "missed",   [EVENT_READY] = "ready",         [EVENT_HOMEWARD] = "homeward",
+      [EVENT_TIRED] = "battery",   [EVENT_HOME] = "home",           [EVENT_EMPTY] = "lost",
   };
   char text[EVENT_TEXT];
   describe(text, p, e);
   json_flat_object(j, NULL);
-  write_seconds(j, "t", e->at);
+  write_seconds(j, "t", told(p, e->at));
   json_string(j, "kind", kinds[e->kind]);
   if (e->robot >= 0) json_integer(j, "robot", e->robot);
   if (e->place >= 0) json_integer(j, "place", e->place);
@@ -304,9 +335,9 @@ static void write_event(json *j, const plan *p, const arena_event *e) {
 
 void record_result(json *j, const plan *p, const game_result *result) {
   json_object(j, "result");
-  write_seconds(j, "found_at", result->found_at);
-  write_seconds(j, "planned_at", planned_at(p, result->mine));
-  write_seconds(j, "all_stopped_at", result->all_stopped_at);
+  write_seconds(j, "found_at", told(p, result->found_at));
+  write_seconds(j, "planned_at", planned_at(p, result->mine, result->looks_needed));
+  write_seconds(j, "all_stopped_at", told(p, result->all_stopped_at));
   json_integer(j, "scanned", result->scanned);
   json_integer(j, "duplicates", result->duplicates);
   json_integer(j, "collisions", result->collisions);
@@ -323,8 +354,8 @@ void record_result(json *j, const plan *p, const game_result *result) {
 }
 
 static void write_game(json *j, const record *r, const arena *a, const game_result *result) {
-  json_number(j, "duration", result->duration);
-  json_number(j, "tick", RECORD_TICK);
+  json_number(j, "duration", told(r->p, result->duration));
+  json_number(j, "tick", told(r->p, RECORD_TICK));
   json_array(j, "tracks");
   for (int i = 0; i < r->robots; i++) write_track(j, r, i);
   json_end_array(j);
@@ -333,7 +364,7 @@ static void write_game(json *j, const record *r, const arena *a, const game_resu
   json_end_array(j);
   write_said(j, r);
   record_result(j, r->p, result);
-  if (r->ghost != NULL) write_ghost(j, r->ghost);
+  if (r->ghost != NULL) write_ghost(j, r->p, r->ghost);
 }
 
 /* What the robots are called. */
@@ -350,9 +381,11 @@ static void write_head(json *j, const plan *p, const record_head *head) {
   json_string(j, "mission", p->name);
   json_natural(j, "seed", head->seed);
   json_string(j, "mode", head->clear_all ? "clear" : "find");
+  json_number(j, "pace", game_pace(&p->t));
   write_map(j, p);
   json_integer(j, "robots", p->t.policy.board.seekers);
   write_robot_names(j, p);
+  if (p->last_step >= 0.0) json_bool(j, "tires", true);
   json_number(j, "robot_radius", DEMO_RADIUS);
   write_starts(j, p);
   write_places(j, p);

@@ -1,4 +1,4 @@
-/* Many seeded games of one mission, in figures. */
+/* Many seeded games of one mission, in figures. Seconds are the mission's own. */
 #ifndef QUARTER_DEMO_RUNS_H
 #define QUARTER_DEMO_RUNS_H
 
@@ -11,8 +11,11 @@
 
 typedef struct {
   int games, found, deadlocked; /* deadlocked: games with a robot that made no way for long */
+  int timed;                    /* games whose time counts: found, or not found where there is an end */
   double *found_at;             /* seconds, of the games in which it was found, in rising order */
-  double mean, planned_mean;    /* seconds, not a number if nothing was found; planned: of the same mines */
+  double *by_seed;              /* seconds, of each game; not a number: not found */
+  double end;                   /* seconds: as this much counts what is not found, where robots tire; below 0: not */
+  double mean, planned_mean;    /* seconds, not a number if nothing counts; planned: of the same mines */
   double expected;              /* seconds: the plan's expected time to find */
   uint64_t scanned, duplicates, collisions, deadlocks;
   double simulated, wall; /* seconds in all */

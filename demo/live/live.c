@@ -25,6 +25,7 @@ struct live {
   pthread_mutex_t lock;
   pthread_cond_t changed;
   char *hello;
+  double pace;               /* seconds that are told in one of the world's clock */
   char *frame;               /* {"t":..,"robots":..  without its end: the events differ from viewer to viewer */
   char *event[ARENA_EVENTS]; /* one text an event, of this game */
   int events;
@@ -310,6 +311,7 @@ void live_hello(live *view, const plan *p, const record_head *head) {
   pthread_mutex_lock(&view->lock);
   free(view->hello);
   view->hello = text_end(&t);
+  view->pace = game_pace(&p->t);
   pthread_mutex_unlock(&view->lock);
 }
 
@@ -335,11 +337,11 @@ void live_restart(live *view) {
   pthread_mutex_unlock(&view->lock);
 }
 
-static char *frame_text(double now, int robots, int rows, const world_pose *poses) {
+static char *frame_text(double told, int robots, int rows, const world_pose *poses) {
   text t;
   FILE *out = text_begin(&t);
   if (out == NULL) return NULL;
-  fprintf(out, "{\"t\": %.2f, \"robots\": [", now);
+  fprintf(out, "{\"t\": %.2f, \"robots\": [", told);
   for (int i = 0; i < robots; i++)
     fprintf(out, "%s[%.2f, %.2f, %.2f]", i > 0 ? ", " : "", poses[i].at.x, rows - poses[i].at.y, poses[i].heading);
   fputs("]", out);
@@ -349,7 +351,7 @@ static char *frame_text(double now, int robots, int rows, const world_pose *pose
 void live_frame(live *view, double now, int robots, int rows, const world_pose *poses) {
   if (now + 1e-9 < view->next && now > view->next - 2 * FRAME) return;
   view->next = now + FRAME;
-  char *frame = frame_text(now, robots, rows, poses);
+  char *frame = frame_text(view->pace * now, robots, rows, poses);
   pthread_mutex_lock(&view->lock);
   free(view->frame);
   view->frame = frame;
@@ -365,7 +367,7 @@ void live_end(live *view, const plan *p, const game_result *result) {
   json_begin(&j, t.file);
   json_object(&j, NULL);
   record_result(&j, p, result);
-  json_number(&j, "duration", result->duration);
+  json_number(&j, "duration", game_pace(&p->t) * result->duration);
   json_end_object(&j);
   pthread_mutex_lock(&view->lock);
   view->end = text_end(&t);

@@ -28,7 +28,7 @@ void live_event(live *view, const plan *p, const arena_event *e);
 /* Another game begins: what happened in the one before is forgotten. */
 void live_restart(live *view);
 
-/* Where the robots are at `now`, in seconds. Frames that come too fast are left out. */
+/* Where the robots are at `now`, in seconds of the world's clock. Frames that come too fast are left out. */
 void live_frame(live *view, double now, int robots, int rows, const world_pose *poses);
 
 /* The game is over. */

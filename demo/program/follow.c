@@ -56,11 +56,9 @@ static void compare_places(follower *f, const message_status *m) {
 }
 
 static void compare_robots(follower *f, const message_status *m) {
-  static const int kinds[] = {[STATE_ALIVE] = EVENT_UNSTUCK,
-                              [STATE_STOPPED] = EVENT_STOPPED,
-                              [STATE_LOST] = EVENT_LOST,
-                              [STATE_STUCK] = EVENT_STUCK,
-                              [STATE_OFF] = EVENT_RESET};
+  static const int kinds[] = {
+      [STATE_ALIVE] = EVENT_UNSTUCK, [STATE_STOPPED] = EVENT_STOPPED, [STATE_LOST] = EVENT_LOST,
+      [STATE_STUCK] = EVENT_STUCK,   [STATE_OFF] = EVENT_RESET,       [STATE_TIRED] = EVENT_TIRED};
   for (int i = 0; i < m->robots; i++) {
     if (m->state[i] == f->last.state[i]) continue;
     const bool back = m->state[i] == STATE_ALIVE && f->last.state[i] == STATE_OFF;
@@ -83,7 +81,7 @@ static void forget(follower *f) {
 }
 
 static bool is_ours(follower *f, const message_status *m) {
-  const int places = f->p->t.policy.board.places;
+  const int places = f->p->places;
   if (m->robots == f->robots && m->places == places) return true;
   if (!f->warned)
     fprintf(stderr, "quarter-demo: a game of %d robots and %d places is on this bus, not of %s; it is not shown\n",

@@ -21,6 +21,7 @@
 
 static volatile int interrupted;
 static plan p;
+static table plain; /* of --strategy plain */
 
 static void on_interrupt(int number) {
   interrupted = 128 + number;
@@ -72,15 +73,16 @@ static int finish(void *user, const arena *a, const game_result *result, fault *
 static int play(const settings *s, const fault_script *faults, fault *why) {
   show w = {.s = s};
   game_result result;
-  const game_setup setup = {.t = &p.t,
-                            .strategy = s->strategy,
-                            .log = s->log,
-                            .user = &w,
-                            .watch = watch,
-                            .finish = finish,
-                            .speed = s->live && s->speed <= 0.0 ? 1.0 : s->speed,
-                            .arena = {s->seed, s->clear_all, s->mine, faults,
-                                      4 * game_plan_seconds(&p.t) + 120 + game_door_seconds(&p.t, faults)}};
+  const game_setup setup = {
+      .t = &p.t,
+      .strategy = s->strategy,
+      .log = s->log,
+      .user = &w,
+      .watch = watch,
+      .finish = finish,
+      .speed = s->live && s->speed <= 0.0 ? 1.0 : s->speed,
+      .plain = s->strategy == STRATEGY_PLAIN ? &plain : NULL,
+      .arena = {s->seed, s->clear_all, s->mine, faults, game_limit_seconds(&p.t, faults), .truth = &p.truth}};
   record_begin(&w.r, &p);
   int status = s->live ? live_open(&w.view, s->port, why) : 0;
   if (status == 0 && w.view != NULL) {
@@ -111,6 +113,7 @@ static void write_figures(FILE *out, const runs_figures *f, const settings *s) {
   json_number(&j, "mean", f->mean);
   json_number(&j, "planned_mean", f->planned_mean);
   json_number(&j, "expected", f->expected);
+  if (f->end >= 0.0) json_number(&j, "not_found_counts_as", f->end);
   json_number(&j, "median", runs_quantile(f, 0.5));
   json_number(&j, "quantile_90", runs_quantile(f, 0.9));
   json_number(&j, "longest", runs_quantile(f, 1.0));
@@ -126,14 +129,18 @@ static void write_figures(FILE *out, const runs_figures *f, const settings *s) {
   json_flat_array(&j, "seeds_to_look_into");
   for (int i = 0; i < f->odd && i < RUNS_ODD; i++) json_natural(&j, NULL, f->odd_seed[i]);
   json_end_array(&j);
+  json_flat_array(&j, "found_at");
+  for (int i = 0; i < f->games; i++) json_number(&j, NULL, f->by_seed[i]);
+  json_end_array(&j);
   json_flat_array(&j, "visits");
-  for (int place = 0; place < p.t.policy.board.places; place++) json_natural(&j, NULL, f->visits[place]);
+  for (int place = 0; place < p.places; place++) json_natural(&j, NULL, f->visits[place]);
   json_end_array(&j);
   json_end_object(&j);
 }
 
 static void tell_figures(FILE *out, const runs_figures *f, const settings *s) {
-  static const char *const strategies[] = {"the plan", "nearest first, no plan", "nearest first, full communication"};
+  static const char *const strategies[] = {"the plan", "nearest first, no plan", "nearest first, full communication",
+                                           "a plan without the mission's terms"};
   fprintf(out, "%s, %s%s: %s, found in %d\n", p.name, strategies[s->strategy], s->lose_one ? ", one robot lost" : "",
           counted((uint64_t)f->games, "game").text, f->found);
   if (f->found > 0)
@@ -165,9 +172,11 @@ static int print_figures(const runs_figures *f, const settings *s, fault *why) {
 
 static int play_many(const settings *s, const fault_script *faults, fault *why) {
   runs_figures f;
-  const game_setup setup = {.t = &p.t,
-                            .strategy = s->strategy,
-                            .arena = {s->seed, s->clear_all, s->mine, faults, game_unplanned_seconds(&p.t, faults)}};
+  const game_setup setup = {
+      .t = &p.t,
+      .strategy = s->strategy,
+      .plain = s->strategy == STRATEGY_PLAIN ? &plain : NULL,
+      .arena = {s->seed, s->clear_all, s->mine, faults, game_unplanned_seconds(&p.t, faults), .truth = &p.truth}};
   int status = runs_play(&f, &p, &setup, s->runs, s->lose_one, &interrupted, s->quiet, why);
   if (status == 0 && f.games > 0) status = print_figures(&f, s, why);
   runs_free(&f);
@@ -188,13 +197,15 @@ static int play_as_asked(const settings *s, const fault_script *faults, fault *w
 }
 
 static int run_plan(const settings *s, fault *why) {
-  const int places = p.t.policy.board.places;
+  const int places = p.places;
   fault_script faults = {0};
   if (s->faults != NULL && faults_read(&faults, s->faults, &p.t, why) != 0) return EXIT_BAD_INPUT;
   if (s->mine >= places) {
     fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
     return EXIT_BAD_INPUT;
   }
+  if (s->strategy == STRATEGY_PLAIN && plan_make_plain(&plain, &p, s->robots, s->learn_limit, why) != 0)
+    return why->status == EXIT_STOPPED ? 128 + stop_signal() : EXIT_BAD_INPUT;
   if (s->lose_one && s->runs == 0) runs_draw_loss(&faults, &p, s->seed);
   return play_as_asked(s, &faults, why);
 }
@@ -216,6 +227,7 @@ static int run(const settings *s, fault *why) {
   if (status != 0) return status;
   catch_interrupts();
   status = run_plan(s, why);
+  table_free(&plain);
   plan_free(&p);
   return status;
 }

@@ -168,12 +168,8 @@ static int play_with_robots(const settings *s, bus *b, fault *why) {
 
 /* The exit status, with *why set if it is not 0. */
 static int serve(const settings *s, bus *b, const fault_script *faults, fault *why) {
-  const arena_setup setup = {s->seed,
-                             s->clear_all,
-                             s->mine,
-                             faults,
-                             4 * game_plan_seconds(&p.t) + 120 + game_door_seconds(&p.t, faults),
-                             (uint32_t)s->run};
+  const arena_setup setup = {s->seed,          s->clear_all, s->mine, faults, game_limit_seconds(&p.t, faults),
+                             (uint32_t)s->run, &p.truth};
   if (check_alone(b, why) != 0) return EXIT_BAD_INPUT;
   if (s->log != NULL && bus_record(b, s->log, why) != 0) return EXIT_BAD_INPUT;
   if (arena_open(&a, &p.t, b, &setup, why) != 0) return EXIT_BAD_INPUT;
@@ -192,7 +188,7 @@ static int check_own(const settings *s, fault *why) {
 }
 
 static int check_mine(const settings *s, fault *why) {
-  const int places = p.t.policy.board.places;
+  const int places = p.places;
   return s->mine < places ? 0
                           : fault_set(why, "--mine %d: the places of %s are 0 to %d", s->mine, s->mission, places - 1);
 }

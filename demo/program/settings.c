@@ -108,7 +108,9 @@ static option_table records = {
     {.name = "runs", .argument = "N", .help = "N games with seeds from --seed on", WHOLE(runs, 1, 1000000)},
     {.name = "strategy",
      .argument = "WHAT",
-     .help = "plan (default); to compare: nearest (no plan), informed (no plan, full communication)",
+     .help = "plan (default); to compare: nearest (no plan), informed (no plan, full communication), plain (a plan as "
+             "if robots "
+             "were alike and never tired, and sensors perfect)",
      WORD(strategy, game_strategies)},
     {.name = "seed",
      .argument = "N",

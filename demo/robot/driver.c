@@ -82,7 +82,7 @@ driver_wheels driver_steer(const driver_view *view, point aim) {
   const double off = need > 0.02 ? choose_direction(view, wanted, need) : wanted;
   const double free = clearance(view, off);
   const double facing = cos(off) > 0.0 ? cos(off) : 0.0;
-  double speed = DRIVER_SPEED * facing * facing;
+  double speed = view->speed * facing * facing;
   if (free < 0.3) speed *= CREEP + (1.0 - CREEP) * free / 0.3;
   double turn = TURN * off;
   turn = turn > FASTEST_TURN ? FASTEST_TURN : turn < -FASTEST_TURN ? -FASTEST_TURN : turn;

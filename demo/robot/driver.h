@@ -20,6 +20,7 @@ typedef struct {
   int rays;
   const float *range; /* evenly spread, counter-clockwise from the heading */
   double reach;       /* of the rays: there is nothing up to here where a ray says so */
+  double speed;       /* cells a second that it drives where nothing is in the way */
 } driver_view;
 
 typedef struct {

@@ -20,7 +20,11 @@ typedef struct {
 /* It sets out for a new target. */
 void hope_begin(hope *h, int64_t utime);
 
-/* It is at a point; `way` leads to its target. False: there is no hope. */
-bool hope_left(hope *h, const qtr_field *way, const ground *g, point at, int64_t utime);
+/* It is at a point; `way` leads to its target; `speed` is a robot's, 1 for one that takes a second for a cell. False:
+ * there is no hope. */
+bool hope_left(hope *h, const qtr_field *way, const ground *g, point at, double speed, int64_t utime);
+
+/* Steps from a cell to a way's end, by the ground; UINT_MAX: there is no way. */
+unsigned hope_steps(const qtr_field *way, const qtr_grid *grid, qtr_cell cell);
 
 #endif

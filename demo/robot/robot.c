@@ -1,5 +1,6 @@
 #include "robot.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -8,6 +9,8 @@
 
 #define NEAR 0.16         /* cells from a place's middle at which the mine sensor is read */
 #define IN_RANGE 0.33     /* cells at which it is read where something stands on the place */
+#define AT_HOME 0.45      /* cells from its start's middle at which it is home */
+#define BY_HOME 1.7       /* cells at which it is where something stands in between: others are home already */
 #define MADE_WAY 0.5      /* cells */
 #define PATIENCE 2500000  /* microseconds without making way after which it tries the other side */
 #define KEEP_LEFT 3000000 /* microseconds for which it does at least */
@@ -51,8 +54,8 @@ robot_pilot robot_pilot_of_plan(qtr_seeker *seeker) {
 void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, robot_pilot pilot, robot_voice voice) {
   memset(r, 0, offsetof(robot, way));
   r->policy = policy;
-  r->g = ground_of(policy);
   r->self = self;
+  robot_embody(r, policy);
   r->clear_all = clear_all;
   r->pilot = pilot;
   r->voice = voice;
@@ -61,8 +64,15 @@ void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, ro
   for (unsigned i = 0; pilot.known(pilot.self, i, &signal); i++) gossip_learn(&r->known, signal.kind, signal.territory);
 }
 
+void robot_embody(robot *r, const qtr_policy *policy) {
+  r->body = body_of(policy, (unsigned)r->self);
+  r->g = ground_of(policy);
+  r->g.grid = qtr_policy_ground(policy, (unsigned)r->self);
+}
+
 bool robot_stopped(const robot *r) {
-  return r->known.found || r->pilot.target(r->pilot.self) == QTR_STAND_DOWN;
+  if (r->known.found) return true;
+  return (r->home || !body_tires(&r->body)) && r->pilot.target(r->pilot.self) == QTR_STAND_DOWN;
 }
 
 /* ---- what it says ---- */
@@ -73,9 +83,12 @@ static void say_signal(void *user, int signal, int territory) {
   r->voice.terminate(r->voice.user, &m);
 }
 
-static void say_command(const robot *r, driver_wheels wheels) {
-  const message_command m = {r->utime, r->self, wheels.left * r->g.cell_size, wheels.right * r->g.cell_size,
-                             r->asked != QTR_STAND_DOWN};
+static const driver_wheels standing = {0.0, 0.0};
+
+static void say_command(const robot *r, driver_wheels wheels, enum message_intent intent) {
+  const message_command m = {
+      r->utime, r->self, wheels.left * r->g.cell_size, wheels.right * r->g.cell_size, r->asked != QTR_STAND_DOWN,
+      intent};
   r->voice.command(r->voice.user, &m);
 }
 
@@ -83,9 +96,8 @@ static void say_command(const robot *r, driver_wheels wheels) {
 
 /* Who has stopped says so whenever it hears anything: its standing order may have been lost. */
 static void rest(robot *r) {
-  const driver_wheels none = {0.0, 0.0};
   r->asked = QTR_STAND_DOWN;
-  say_command(r, none);
+  say_command(r, standing, INTENT_SEARCH);
   gossip_repeat(&r->known, r->utime, say_signal, r);
 }
 
@@ -139,19 +151,19 @@ static double nearest_towards(const robot *r, const message_scan *m, point goal)
   return nearest;
 }
 
-/* Distance from a place, in cells. What was measured where is known only if pose and scan are of one moment: with
- * messages lost, a place might count as scanned that was not. */
-static double away_from(const robot *r, const message_scan *m, uint16_t place) {
+/* Distance from a cell's middle, in cells. What was measured where is known only if pose and scan are of one moment:
+ * with messages lost, a place might count as scanned that was not. */
+static double away_from(const robot *r, const message_scan *m, qtr_cell cell) {
   const point at = position(r);
-  const point goal = ground_centre(&r->g, qtr_policy_cell(r->policy, place));
+  const point goal = ground_centre(&r->g, cell);
   return r->pose.utime == m->utime ? hypot(goal.x - at.x, goal.y - at.y) : HUGE_VAL;
 }
 
 /* Near enough to read the mine sensor: a robot that was lost on the place keeps others from standing there. */
 static bool is_near(const robot *r, const message_scan *m, uint16_t target) {
-  const double away = away_from(r, m, target);
-  const point goal = ground_centre(&r->g, qtr_policy_cell(r->policy, target));
-  return away < NEAR || (away < IN_RANGE && nearest_towards(r, m, goal) < away);
+  const qtr_cell cell = qtr_policy_cell(r->policy, target);
+  const double away = away_from(r, m, cell);
+  return away < NEAR || (away < IN_RANGE && nearest_towards(r, m, ground_centre(&r->g, cell)) < away);
 }
 
 /* The sensor was read over the target: it is there, or the robot goes on to the next. */
@@ -161,7 +173,8 @@ static void heed_reading(robot *r, const message_scan *m) {
     r->pilot.found(r->pilot.self);
     gossip_learn(&r->known, QTR_SIGNAL_FOUND, 0);
   }
-  if (r->asked == QTR_STAND_DOWN || r->known.found || away_from(r, m, r->asked) > IN_RANGE) return;
+  if (r->asked == QTR_STAND_DOWN || r->known.found || away_from(r, m, qtr_policy_cell(r->policy, r->asked)) > IN_RANGE)
+    return;
   r->pilot.visited(r->pilot.self, r->asked);
 }
 
@@ -174,12 +187,12 @@ static void take_announcements(robot *r) {
  * takes longer. */
 static double choose_lane(robot *r) {
   const point at = position(r);
-  const int64_t slowness = ground_slowness(&r->g, at);
+  const double slowness = ground_slowness(&r->g, at) / r->body.speed;
   if (hypot(at.x - r->anchor.x, at.y - r->anchor.y) > MADE_WAY) {
     r->anchor = at;
     r->anchored = r->utime;
-    if (r->left && r->utime - r->switched > slowness * KEEP_LEFT) r->left = false;
-  } else if (r->utime - r->anchored > slowness * PATIENCE) {
+    if (r->left && (double)(r->utime - r->switched) > slowness * KEEP_LEFT) r->left = false;
+  } else if ((double)(r->utime - r->anchored) > slowness * PATIENCE) {
     r->anchored = r->utime;
     r->switched = r->utime;
     r->left = !r->left;
@@ -187,36 +200,119 @@ static double choose_lane(robot *r) {
   return r->left ? -DEMO_LANE : DEMO_LANE;
 }
 
-static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
-  const qtr_cell goal = qtr_policy_cell(r->policy, target);
+static qtr_cell start_of(const robot *r) {
+  const qtr_board *board = &r->policy->board;
+  return qtr_policy_cell(r->policy, (unsigned)board->places + board->start_of[r->self]);
+}
+
+/* To a place, or home. */
+static qtr_cell goal_of(const robot *r, uint16_t target) {
+  return target != QTR_STAND_DOWN ? qtr_policy_cell(r->policy, target) : start_of(r);
+}
+
+static void find_way(robot *r, uint16_t target) {
+  if (r->way_known && target == r->target) return;
+  qtr_field_fill(&r->way, &r->g.grid, goal_of(r, target));
+  r->target = target;
+  r->way_known = true;
+  hope_begin(&r->hope, r->utime);
+}
+
+static void give_up(robot *r, uint16_t target) {
+  r->pilot.blocked(r->pilot.self, target);
+  r->way_known = false;
+}
+
+static driver_wheels steer(robot *r, const message_scan *m) {
+  const qtr_cell goal = goal_of(r, r->target);
   float range[DEMO_RAYS];
-  if (!r->way_known || target != r->target) {
-    qtr_field_fill(&r->way, &r->policy->grid, goal);
-    r->target = target;
-    r->way_known = true;
-    hope_begin(&r->hope, r->utime);
-  }
-  if (!hope_left(&r->hope, &r->way, &r->g, position(r), r->utime)) {
-    r->pilot.blocked(r->pilot.self, target);
-    r->way_known = false;
-  }
   for (int ray = 0; ray < DEMO_RAYS; ray++) range[ray] = (float)((double)m->range[ray] / r->g.cell_size);
-  const driver_view view = {position(r), heading_of(r), DEMO_RAYS, range, DEMO_EYE_TRUST};
+  const driver_view view = {position(r), heading_of(r), DEMO_RAYS, range, DEMO_EYE_TRUST, r->body.speed};
   return driver_steer(&view, driver_aim(&r->g, &r->way, goal, view.at, choose_lane(r)));
 }
 
+static driver_wheels drive(robot *r, const message_scan *m, uint16_t target) {
+  find_way(r, target);
+  if (!hope_left(&r->hope, &r->way, &r->g, position(r), r->body.speed, r->utime)) give_up(r, target);
+  return steer(r, m);
+}
+
+/* ---- what it can do ---- */
+
+/* Pushed into a wall it cannot say: it will see when it is out again. */
+static bool has_battery_for(const robot *r, uint16_t target) {
+  const qtr_cell here = ground_cell(&r->g, position(r));
+  if (here == QTR_NO_CELL || qtr_grid_cost(&r->g.grid, here) == 0) return true;
+  const unsigned steps = hope_steps(&r->way, &r->g.grid, here);
+  return steps == UINT_MAX || body_lasts(&r->body, r->utime, steps, target);
+}
+
+/* A look that has begun is brought to its end: there was battery for it. */
+static bool can_make(robot *r, uint16_t target) {
+  if (!body_may_visit(&r->body, target)) return false;
+  if (!body_tires(&r->body) || r->asked == target) return true;
+  find_way(r, target);
+  if (has_battery_for(r, target)) return true;
+  r->tired = true;
+  return false;
+}
+
+/* What it cannot make is as good as blocked: it takes the next, and in the end none. Ends, for each time round a place
+ * is given up, and each is so twice at most. */
+static uint16_t choose_target(robot *r) {
+  for (;;) {
+    const uint16_t target = r->pilot.target(r->pilot.self);
+    if (target == QTR_STAND_DOWN || r->known.found || can_make(r, target)) return target;
+    give_up(r, target);
+  }
+}
+
+/* Where a look takes time it stands for it, and is not given up for that. */
+static void search(robot *r, const message_scan *m, uint16_t target) {
+  const bool takes_time = body_scan(&r->body, target) > 0;
+  const bool looks_on = takes_time && r->asked == target && away_from(r, m, goal_of(r, target)) < IN_RANGE;
+  r->home = false;
+  r->asked = looks_on || is_near(r, m, target) ? target : QTR_STAND_DOWN;
+  if (!takes_time || r->asked == QTR_STAND_DOWN) {
+    say_command(r, drive(r, m, target), INTENT_SEARCH);
+    return;
+  }
+  r->anchored = r->utime;
+  hope_begin(&r->hope, r->utime);
+  say_command(r, standing, INTENT_SEARCH);
+}
+
+static bool is_home(const robot *r, const message_scan *m) {
+  const double away = away_from(r, m, start_of(r));
+  return away < AT_HOME || (away < BY_HOME && nearest_towards(r, m, ground_centre(&r->g, start_of(r))) < away);
+}
+
+static void go_home(robot *r, const message_scan *m) {
+  r->asked = QTR_STAND_DOWN;
+  r->home = is_home(r, m);
+  find_way(r, QTR_STAND_DOWN);
+  say_command(r, r->home ? standing : steer(r, m), r->tired ? INTENT_TIRED : INTENT_HOME);
+}
+
+static void act(robot *r, const message_scan *m) {
+  const uint16_t target = choose_target(r);
+  if (robot_stopped(r) || r->utime < r->body.ready) {
+    r->asked = QTR_STAND_DOWN;
+    say_command(r, standing, robot_stopped(r) ? INTENT_SEARCH : INTENT_WAIT);
+  } else if (target == QTR_STAND_DOWN) {
+    go_home(r, m);
+  } else {
+    search(r, m, target);
+  }
+}
+
 void robot_hear_scan(robot *r, const message_scan *m) {
-  driver_wheels wheels = {0.0, 0.0};
   if (r->off) return;
   r->utime = m->utime;
   if (r->poses > 0) {
     heed_reading(r, m);
     take_announcements(r);
-    const uint16_t target = r->pilot.target(r->pilot.self);
-    const bool drives = !robot_stopped(r);
-    r->asked = drives && is_near(r, m, target) ? target : QTR_STAND_DOWN;
-    if (drives) wheels = drive(r, m, target);
-    say_command(r, wheels);
+    act(r, m);
   }
   gossip_repeat(&r->known, r->utime, say_signal, r);
 }

@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 
+#include "body.h"
 #include "gossip.h"
 #include "ground.h"
 #include "hope.h"
@@ -38,19 +39,22 @@ typedef struct {
 /* Large: it holds the way to its target. */
 typedef struct {
   const qtr_policy *policy;
-  ground g;
+  ground g; /* as it may enter it */
+  robot_body body;
   int self;
   bool clear_all; /* a find stops nobody */
   bool off;       /* it has no power: it hears nothing, and so it says nothing */
+  bool tired;     /* its battery did not last for a place any more */
+  bool home;      /* it has a battery, nothing left to do, and is back at its start */
   robot_pilot pilot;
   robot_voice voice;
   gossip known;
   message_pose pose;
-  uint64_t poses; /* heard so far */
-  uint16_t target;
-  bool way_known; /* `way` leads to the target */
-  hope hope;      /* of getting there */
-  uint16_t asked; /* the place for which the mine sensor is being read; QTR_STAND_DOWN: none */
+  uint64_t poses;  /* heard so far */
+  uint16_t target; /* QTR_STAND_DOWN: home */
+  bool way_known;  /* `way` leads to the target */
+  hope hope;       /* of getting there */
+  uint16_t asked;  /* the place for which the mine sensor is being read; QTR_STAND_DOWN: none */
   int64_t utime;
   point anchor;     /* where it was when it last made way */
   int64_t anchored; /* utime: when that was */
@@ -59,15 +63,19 @@ typedef struct {
   qtr_field way;
 } robot;
 
-/* At its start, or after a reset, with a pilot that knows what it knew: what that has heard the robot repeats. */
+/* At its start, or after a reset, with a pilot that knows what it knew: what that has heard the robot repeats. Its body
+ * is as the table says, until it is given another. */
 void robot_init(robot *r, const qtr_policy *policy, int self, bool clear_all, robot_pilot pilot, robot_voice voice);
+
+/* Let it be as another table says, of the same places and ground, which may know more of the field's terms. */
+void robot_embody(robot *r, const qtr_policy *policy);
 
 void robot_hear_pose(robot *r, const message_pose *m);
 void robot_hear_terminate(robot *r, const message_terminate *m);
 /* The moment to act: sends a command, and the signals that are due. */
 void robot_hear_scan(robot *r, const message_scan *m);
 
-/* It drives no more, of its own will: the target is found, or there is nothing left to do. */
+/* It drives no more, of its own will: the target is found, or there is nothing left to do, and who tires is home. */
 bool robot_stopped(const robot *r);
 
 #endif

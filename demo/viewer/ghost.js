@@ -17,10 +17,12 @@ function isGhost(ghost, data) {
 function ghostOf({ ghost, places }) {
   if (ghost == null) return null;
   let likelihood = 0;
+  const looks = places.map(() => 0);
   return {
     times: Array.from(ghost.tracks[0].x, (_, k) => k * ghost.tick),
     tracks: ghost.tracks.map(({ x, y }) => ({ x: hundredths(x), y: hundredths(y) })),
-    curve: ghost.scans.map(([t, place]) => [t, (likelihood += places[place].likelihood)]),
+    curve: ghost.scans.map(([t, place]) => [t, (likelihood += worthOf(places[place], ++looks[place]))]),
+    firsts: ghost.scans.filter(([, place], k) => ghost.scans.findIndex(([, other]) => other === place) === k).map(([t]) => t),
     finishedAt: ghost.finished_at,
     duration: ghost.duration,
   };
@@ -40,7 +42,7 @@ function drawGhostTrail(context, { times, tracks }, robot, now) {
   context.lineWidth = Math.max(1.5, view.cell * 0.08);
   context.beginPath();
   const last = countUntil(times, now);
-  for (let k = countUntil(times, now - GHOST_TRAIL); k < last; k++) context.lineTo(x[k] * view.cell, y[k] * view.cell);
+  for (let k = countUntil(times, now - GHOST_TRAIL * paceOf(player.model.data)); k < last; k++) context.lineTo(x[k] * view.cell, y[k] * view.cell);
   context.lineTo(at.x * view.cell, at.y * view.cell);
   context.stroke();
   return at;
@@ -70,7 +72,7 @@ function drawGhost(context, model, now) {
 /* The find ends the search; where none is to, the last place does. Below: null, it has not come to that. */
 function finishOf(model, state, now) {
   const endsByFind = model.data.mode !== "clear" && model.data.mines?.length > 0, { curve } = state;
-  const at = endsByFind ? foundAt(model) : curve.length === state.places.length ? curve.at(-1)?.[0] : null;
+  const at = endsByFind ? foundAt(model) : curve.length === looksOf(model.data) ? curve.at(-1)?.[0] : null;
   return finite(at) && at <= now + EPSILON ? at : null;
 }
 
@@ -94,7 +96,7 @@ function showRace(model, state, now) {
   if (ghost === null) return;
   const planned = Math.min(now, model.duration);
   showLane("plan", model, finishOf(model, state, now), planned, state.scanned, now >= model.duration - EPSILON);
-  const scanned = countUntil(ghost.curve, now, (step) => step[0]);
+  const scanned = countUntil(ghost.firsts, now);
   showLane("ghost", model, ghostFinish(ghost, now), Math.min(now, ghost.duration), scanned, now >= ghost.duration - EPSILON);
 }
 

@@ -137,8 +137,9 @@ function drawTrail(context, model, robot, now) {
   context.lineCap = "round";
   context.lineJoin = "round";
   context.lineWidth = Math.max(2, view.cell * 0.12);
+  const second = paceOf(model.data);
   for (let age = TRAIL; age >= 1; age--) {
-    const from = now - age, to = from + 1;
+    const from = now - age * second, to = from + second;
     if (to < 0) continue;
     context.strokeStyle = colour(robot, 0.85 * (1 - (age - 1) / TRAIL));
     context.beginPath();
@@ -243,16 +244,16 @@ function drawRobot(context, model, state, robot, now) {
 function spotOf(model, event, now) {
   if (validIndex(event.place)) return model.data.places[event.place];
   if (event.kind === "shut") return event;
-  return validIndex(event.robot) && FAULTS.has(event.kind) ? poseAt(model, event.robot, now) : null;
+  return validIndex(event.robot) && SETBACKS.has(event.kind) ? poseAt(model, event.robot, now) : null;
 }
 
 /* A ring that widens for a moment where a place was scanned, a robot failed or a mine was found. */
 function drawPulses(context, model, passed, now) {
-  for (let k = passed - 1; k >= 0 && now - model.events[k].t < PULSE; k--) {
-    const event = model.events[k], isFault = FAULTS.has(event.kind), isFind = event.kind === "found";
+  for (let k = passed - 1; k >= 0 && now - model.events[k].t < PULSE * paceOf(model.data); k--) {
+    const event = model.events[k], isFault = SETBACKS.has(event.kind), isFind = event.kind === "found";
     const at = spotOf(model, event, now);
     if (at === null) continue;
-    const part = stillMedia.matches ? 0.4 : (now - event.t) / PULSE;
+    const part = stillMedia.matches ? 0.4 : (now - event.t) / (PULSE * paceOf(model.data));
     circle(context, at.x * view.cell, at.y * view.cell, (isFind ? 40 : 14) * part + view.cell * 0.5);
     context.globalAlpha = 1 - part;
     context.strokeStyle = isFault ? style.fault : style.ink;

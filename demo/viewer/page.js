@@ -9,6 +9,7 @@ const TRAIL = 8; // seconds
 const PULSE = 1.2; // seconds that an event glows on the map
 const ALARM = 3; // seconds of the clock on the wall, at any speed, that a loss is shouted
 const FAULTS = new Set(["lost", "stuck", "reset", "shut", "loss", "slip", "collision", "deadlock"]);
+const SETBACKS = new Set([...FAULTS, "missed", "battery"]); // no faults of anything, but not what one hopes for
 const stillMedia = matchMedia("(prefers-reduced-motion: reduce)");
 
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
@@ -50,7 +51,9 @@ function icon(name) {
 }
 
 function iconOf(kind) {
-  if (["lost", "reset", "shut"].includes(kind)) return kind;
+  if (["lost", "reset", "shut", "battery", "missed"].includes(kind)) return kind;
+  if (kind === "looked") return "scanned";
+  if (kind === "home" || kind === "homeward") return "home";
   if (FAULTS.has(kind)) return "fault";
   if (kind === "end") return "stopped";
   return $(`icon-${kind}`) ? kind : "other";

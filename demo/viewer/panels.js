@@ -42,6 +42,7 @@ function showState(model, state) {
 /* What is known of a place: a door that is shut behind a scan changes nothing of it. */
 function wordOf(place) {
   if (place.found !== null) return "found";
+  if (place.missed) return "missed";
   if (place.at !== null) return "clear";
   return place.shut ? "shut" : "suspected";
 }
@@ -59,7 +60,7 @@ function eventRow(event) {
     make("span", { class: "when" }, event.t.toFixed(1)), icon(iconOf(event.kind)));
   if (validIndex(event.robot)) button.append(chip(event.robot));
   button.append(what);
-  button.classList.toggle("fault", FAULTS.has(event.kind));
+  button.classList.toggle("fault", SETBACKS.has(event.kind));
   button.classList.toggle("mine", event.kind === "found");
   button.addEventListener("click", () => seek(event.t));
   return make("li", { hidden: "" }, button);
@@ -80,7 +81,7 @@ function eventMark(event) {
   mark.style.left = `calc(100% * ${event.t} / var(--duration))`;
   mark.style.display = "none"; // until it has happened
   // What matters most lies on top where marks meet.
-  mark.style.zIndex = event.kind === "found" ? 3 : FAULTS.has(event.kind) ? 2 : 1;
+  mark.style.zIndex = event.kind === "found" ? 3 : SETBACKS.has(event.kind) ? 2 : 1;
   return mark;
 }
 

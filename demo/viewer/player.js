@@ -64,7 +64,7 @@ function changeSpeed(step) {
 
 /* Spoken only for what a listener would stop for, and only when it happens, not when it is jumped over. */
 function speakOf(events) {
-  const told = events.filter(({ kind }) => ["found", "lost", "takeover", "stuck", "reset", "shut"].includes(kind));
+  const told = events.filter(({ kind }) => ["found", "lost", "takeover", "stuck", "reset", "shut", "missed", "battery"].includes(kind));
   if (told.length > 0) say("said", told.map((event) => event.text || event.kind).join("; "));
 }
 
@@ -137,6 +137,7 @@ function openModel(model) {
   // Where there is room for it beside the events.
   $("places").open = innerWidth > 900 && data.places.length <= 12;
   $("legend-ghost").hidden = model.ghost === null;
+  for (const item of document.querySelectorAll(".of-terms")) item.hidden = !hasTerms(data);
   sayNumber("duration", endOf(model), 1);
   redraw();
 }

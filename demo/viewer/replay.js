@@ -9,7 +9,9 @@ function isMap(map) {
 }
 const isPoint = (point) => Array.isArray(point) && finite(point[0]) && finite(point[1]);
 const isPoints = (list) => Array.isArray(list) && list.every(isPoint);
-const isPlace = (place) => Boolean(place) && finite(place.x) && finite(place.y) && finite(place.likelihood);
+const isLooks = (looks) => looks == null || (Array.isArray(looks) && looks.length > 0 && looks.every(finite));
+const isPlace = (place) => Boolean(place) && finite(place.x) && finite(place.y) && finite(place.likelihood) &&
+  isLooks(place.looks);
 
 /* What a robot and a place are called: by their names, or else by their numbers. */
 const robotName = (data, robot) => String(data.robot_names?.[robot] ?? robot);
@@ -36,6 +38,15 @@ function isEvent(event, data) {
 }
 
 const isEvents = (list, data) => Array.isArray(list) && list.every((event) => isEvent(event, data));
+
+/* Seconds told in one of the simulator's own clock, by which robots move about as fast on any screen. */
+const paceOf = (data) => (data.pace > 0 ? data.pace : 1);
+
+/* Whether robots may miss what is there, or tire. */
+const hasTerms = (data) => data.tires === true || data.places.some(({ looks }) => looks);
+
+/* Looks that the plan has at all places. */
+const looksOf = (data) => data.places.reduce((sum, { looks }) => sum + (looks?.length ?? 1), 0);
 
 /* The first part that a page cannot be drawn without and that is not there; null: all is well. */
 function damagedPart(data, live) {
@@ -117,26 +128,38 @@ const validIndex = (value) => Number.isInteger(value) && value >= 0;
 function passRobot(state, event) {
   const robot = state.robots[event.robot];
   if (!robot || robot.kind === "lost") return;
-  if (["stopped", "lost", "stuck", "reset"].includes(event.kind)) Object.assign(robot, { kind: event.kind, since: event.t });
+  const kind = event.kind === "home" ? "stopped" : event.kind;
+  if (["stopped", "lost", "stuck", "reset"].includes(kind)) Object.assign(robot, { kind, since: event.t });
   else if (!FAULTS.has(event.kind)) robot.kind = "moving";
 }
 
-/* A place counts once, and one where a mine was found was scanned, whether or not an event of its own says so. */
+/* What the n-th look at a place counts; of records without looks the first counts all. */
+const worthOf = ({ looks, likelihood }, n) => (looks ? looks[n - 1] ?? 0 : n === 1 ? likelihood : 0);
+
+/* A place counts once for each look that it is worth, and one where a mine was found was scanned, whether or not an
+ * event of its own says so. */
 function passPlace(state, event, model) {
   if (!validIndex(event.place)) return;
   const place = state.places[event.place];
   const isFind = event.kind === "found";
   if (event.kind === "shut") place.shut = true;
-  if (SCANS.has(event.kind) && place.at === null) {
-    place.at = event.t;
-    state.scanned++;
-    state.likelihood += model.data.places[event.place].likelihood;
-    state.curve.push([event.t, state.likelihood]);
-  }
+  if (event.kind === "missed") place.missed = true;
+  if (SCANS.has(event.kind)) passScan(state, place, event, model.data.places[event.place]);
   if (isFind && place.found === null) {
     place.found = event.t;
     state.finds++;
   }
+}
+
+function passScan(state, place, event, { looks, likelihood }) {
+  const worth = worthOf({ looks, likelihood }, ++place.looks);
+  if (place.at === null) {
+    place.at = event.t;
+    state.scanned++;
+  }
+  if (worth === 0 && place.looks > 1) return;
+  state.likelihood += worth;
+  state.curve.push([event.t, state.likelihood]);
 }
 
 /* What the events so far say; `passed` is how many there were. */
@@ -144,7 +167,7 @@ function stateAfter(model, passed) {
   const state = {
     passed, scanned: 0, faults: 0, likelihood: 0, curve: [], finds: 0, shut: [], owners: ownersOf(model.data),
     robots: Array.from({ length: model.data.robots }, () => ({ kind: "moving", since: 0 })),
-    places: model.data.places.map(() => ({ at: null, found: null, shut: false })),
+    places: model.data.places.map(() => ({ at: null, found: null, shut: false, missed: false, looks: 0 })),
   };
   for (const event of model.events.slice(0, passed)) {
     if (FAULTS.has(event.kind)) state.faults++;

@@ -2,14 +2,26 @@
 
 /* ---- what the page is about, in one sentence, and what has just happened, in another ---- */
 
-function sentenceOf({ robots, mode }) {
+/* What makes it harder, where it does. */
+function setbacksOf({ places, tires }) {
+  const told = [];
+  if (places.some(({ looks }) => looks)) told.push("a look may miss what is there");
+  if (tires === true) told.push("who is low on battery goes home");
+  return told.length > 0 ? ` ${sentenceLike(told.join(", and "))}` : "";
+}
+
+function sentenceOf(data) {
+  return ideaOf(data) + setbacksOf(data);
+}
+
+function ideaOf({ robots, mode }) {
   const why = mode === "clear" ? "so that all of it is searched soon" : "so that the find comes early";
   if (robots === 1) return `The robot searches by a plan that was made beforehand, ${why}.`;
   return `The ground was divided among ${robots} robots beforehand, ${why}: each searches its own part, ` +
     "without talking, and where one is lost others search what it left.";
 }
 
-const CHAPTERS = new Set(["lost", "takeover", "found"]);
+const CHAPTERS = new Set(["lost", "takeover", "found", "missed", "battery"]);
 
 /* How many places a robot leaves that is lost, none of which has found another owner yet. */
 function lossText(model, event) {
@@ -55,4 +67,4 @@ function showStory(model, state, now) {
   $("map").classList.toggle("alarm", alarm);
 }
 
-const STORY_ICONS = { start: "robot", lost: "lost", takeover: "takeover", found: "found" };
+const STORY_ICONS = { start: "robot", lost: "lost", takeover: "takeover", found: "found", missed: "missed", battery: "battery" };

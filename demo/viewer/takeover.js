@@ -1,8 +1,9 @@
 "use strict";
 
-/* ---- who has a place to search: its territory's robot; when that is lost, whoever comes for what it left ---- */
+/* ---- who has a place to search: its territory's robot; when that is lost, or its battery does not last, whoever comes
+ * for what it left ---- */
 
-const SCANS = new Set(["scanned", "found"]);
+const SCANS = new Set(["scanned", "looked", "missed", "found"]);
 const LEFT = -2; // on the ground: it was a lost robot's, and nobody has come yet
 
 /* Of each place: `owner` is to search it, -1 nobody; `left` is the lost robot that it was left by, -1 none. */
@@ -11,11 +12,16 @@ const ownersOf = (data) => data.places.map(({ territory }) =>
 
 const leftBy = (owners, robot) => owners.filter(({ left, isScanned }) => left === robot && !isScanned);
 
+const LEAVES = new Set(["lost", "battery"]);
+
+function leaveAll(owners, { robot }) {
+  for (const place of owners)
+    if (place.owner === robot && !place.isScanned) Object.assign(place, { owner: -1, left: robot });
+}
+
 const PASS_OWNER = {
-  lost(owners, { robot }) {
-    for (const place of owners)
-      if (place.owner === robot && !place.isScanned) Object.assign(place, { owner: -1, left: robot });
-  },
+  lost: leaveAll,
+  battery: leaveAll,
   /* The first who comes has all that is left; who comes to help has what it searches itself. */
   takeover(owners, { robot, territory, helps }) {
     if (!helps) for (const place of leftBy(owners, territory)) place.owner = robot;
@@ -57,7 +63,7 @@ function takeoversOf(data, events) {
       (came[left] ??= new Set()).add(robot);
       passOwner(owners, made.at(-1));
     }
-    if (event.kind === "lost") lostAt[robot] = event.t;
+    if (LEAVES.has(event.kind)) lostAt[robot] ??= event.t;
     if (SCANS.has(event.kind)) busyUntil[robot] = event.t;
     passOwner(owners, event);
   }

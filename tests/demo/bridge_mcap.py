@@ -62,16 +62,16 @@ class TestMcap(Bridge):
     def test_what_a_message_says_must_be_possible(self):
         """As demo/bus/bus.c checks it, field by field."""
         good = {"pose": pose_at(STEP, 0), "scan": {"robot": 0, "read": 1, "mine": 0, "range": [0.5] * 24},
-                "command": {"robot": 0, "left": 0.5, "right": -0.5, "read": 1},
+                "command": {"robot": 0, "left": 0.5, "right": -0.5, "read": 1, "intent": 3},
                 "terminate": {"sender": 1, "signal": 2, "territory": 0},
                 "status": {"robots": 2, "places": 3, "mines_found": 1, "state": [0, 3] + [9] * 14,
                            "scanned_by": [-1, 0, 1] + [99] * 125, "found": [0, 1, 0] + [7] * 125}}
         wrong = [math.nan, math.inf, -math.inf, 1e300, -1.1e9]
         bad = {"pose": {name: wrong for name in ("x", "y", "heading")},
                "scan": {"read": [2, -1], "mine": [2, -1], "range": one_wrong_ray(math.nan, math.inf, -0.5, 2e9)},
-               "command": {"left": wrong, "right": wrong, "read": [2, -128]},
+               "command": {"left": wrong, "right": wrong, "read": [2, -128], "intent": [4, -1]},
                "terminate": {"sender": [-1, 16, 2**31 - 1], "signal": [0, 3, -1], "territory": [-1, 16, -2**31]},
-               "status": {"robots": [-1, 17], "places": [-1, 129], "mines_found": [-1, 4], "state": [[0, 5] + [0] * 14, [-1] * 16],
+               "status": {"robots": [-1, 17], "places": [-1, 129], "mines_found": [-1, 4], "state": [[0, 6] + [0] * 14, [-1] * 16],
                           "scanned_by": [[2] * 128, [-2] * 128], "found": [[2] + [0] * 127, [0, -1] + [0] * 126]}}
         channels = {"terminate": "QUARTER_TERMINATE", "status": "QUARTER_STATUS"}
         events, counts = [("QUARTER_R16_POSE", make("pose", **pose_at(STEP, 16)))], {"QUARTER_R16_POSE": (1, 0)}

@@ -55,7 +55,11 @@ static inline void play_prepare_drawn(const char *rows, int robots) {
 }
 
 static inline game_setup play_setup(uint64_t seed) {
-  return (game_setup){.t = &play_plan.t, .arena = {seed, false, -1, NULL, 8 * game_plan_seconds(&play_plan.t) + 120}};
+  return (game_setup){.t = &play_plan.t,
+                      .arena = {.seed = seed,
+                                .mine = -1,
+                                .time_limit = 8 * game_plan_seconds(&play_plan.t) + 120,
+                                .truth = &play_plan.truth}};
 }
 
 static inline int play_keep(void *user, const arena *a, const game_result *result, fault *why) {

@@ -33,8 +33,8 @@ class Strangers(Case):
             (f"QUARTER_R{number}_POSE", POSE.encode(robot=far, x=1.0, y=0.0, heading=0.0, **at)),
             (f"QUARTER_R{number}_SCAN", SCAN.encode(robot=number, read=1, mine=1, range=[bad] * 24, **at)),
             (f"QUARTER_R{number}_SCAN", SCAN.encode(robot=number, read=1, mine=1, range=[-1.0] * 24, **at)),
-            (f"QUARTER_R{number}_COMMAND", COMMAND.encode(robot=number, left=bad, right=0.0, read=1, **at)),
-            (f"QUARTER_R{number}_COMMAND", COMMAND.encode(robot=far, left=1.0, right=0.0, read=1, **at)),
+            (f"QUARTER_R{number}_COMMAND", COMMAND.encode(robot=number, left=bad, right=0.0, read=1, intent=0, **at)),
+            (f"QUARTER_R{number}_COMMAND", COMMAND.encode(robot=far, left=1.0, right=0.0, read=1, intent=0, **at)),
             ("QUARTER_TERMINATE", terminate(sender=far, signal=FOUND, **at)),
             ("QUARTER_TERMINATE", terminate(sender=number, signal=signal_number, **at)),
             ("QUARTER_TERMINATE", terminate(sender=number, signal=DONE, territory=far, **at))])

@@ -93,7 +93,7 @@ class ScriptedWorld:
         for channel in (other, self.number):  # the latter: a wrong robot's on the right channel
             self.publisher.send(f"QUARTER_R{channel}_SCAN", SCAN.encode(robot=other, **seen))
             self.publisher.send(f"QUARTER_R{channel}_POSE", POSE.encode(robot=other, **away))
-        stand = COMMAND.encode(utime=self.utime, robot=other, left=0.0, right=0.0, read=0)
+        stand = COMMAND.encode(utime=self.utime, robot=other, left=0.0, right=0.0, read=0, intent=0)
         self.publisher.send(f"QUARTER_R{other}_COMMAND", stand)
         self.publisher.send("QUARTER_STATUS", STATUS.encode(
             utime=self.utime, robots=self.robots, places=len(self.places), mines_found=1, state=[1] * 16,

@@ -17,7 +17,7 @@ void tearDown(void) {
 }
 
 static void open_arena(const fault_script *faults) {
-  const arena_setup setup = {1, false, -2, faults, 1e6, 3};
+  const arena_setup setup = {1, false, -2, faults, 1e6, 3, NULL};
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, arena_open(&a, &play_plan.t, b, &setup, &play_why), play_why.text);
 }
 

@@ -74,8 +74,12 @@ static double random_number(test_random *random) {
 static void send_pose_and_command(test_random *random, int robot) {
   const message_pose p = {(int64_t)(random_bits(random) >> 2), robot, random_number(random), random_number(random),
                           random_number(random)};
-  const message_command c = {(int64_t)(random_bits(random) >> 2), robot, random_number(random), random_number(random),
-                             random_chance(random, 50)};
+  const message_command c = {(int64_t)(random_bits(random) >> 2),
+                             robot,
+                             random_number(random),
+                             random_number(random),
+                             random_chance(random, 50),
+                             (int)(random_bits(random) % (INTENT_TIRED + 1u))};
   bus_send_pose(b, &p);
   bus_send_command(b, &c);
   TEST_ASSERT_EQUAL_INT_MESSAGE(2, bus_drain(b), case_note);
@@ -83,6 +87,7 @@ static void send_pose_and_command(test_random *random, int robot) {
   TEST_ASSERT_TRUE_MESSAGE(p.x == pose.x && p.y == pose.y && p.heading == pose.heading, case_note);
   TEST_ASSERT_TRUE_MESSAGE(c.utime == command.utime && c.robot == command.robot, case_note);
   TEST_ASSERT_TRUE_MESSAGE(c.left == command.left && c.right == command.right && c.read == command.read, case_note);
+  TEST_ASSERT_EQUAL_INT_MESSAGE(c.intent, command.intent, case_note);
 }
 
 static void send_scan(test_random *random, int robot) {

@@ -258,12 +258,14 @@ static void test_numbers_beyond_all_measure_are_ignored(void) {
   TEST_ASSERT_EQUAL_INT(0, play());
 }
 
-static void test_marks_that_are_neither_0_nor_1_are_ignored(void) {
+static void test_marks_that_are_neither_0_nor_1_and_intents_that_are_none_are_ignored(void) {
   static const uint8_t none[] = {2, 127, 128, 255};
+  static const uint8_t intents[] = {INTENT_TIRED + 1, 127, 128, 255};
   for (int i = 0; i < 4; i++) {
     put_changed(KIND_SCAN, NUMBERS, none[i], 1);
     put_changed(KIND_SCAN, NUMBERS + 1, none[i], 1);
     put_changed(KIND_COMMAND, NUMBERS + 16, none[i], 1);
+    put_changed(KIND_COMMAND, NUMBERS + 17, intents[i], 1);
     put_changed(KIND_STATUS, FOUND_AT + 7, none[i], 1);
   }
   TEST_ASSERT_EQUAL_INT(0, play());
@@ -279,7 +281,7 @@ static void test_signals_and_territories_that_are_none_are_ignored(void) {
 
 /* Of the robots and places that the message says there are, 4 and 16. */
 static void test_states_and_scanners_that_are_none_are_ignored(void) {
-  static const int8_t states[] = {-1, 5, INT8_MIN, INT8_MAX};
+  static const int8_t states[] = {-1, STATE_TIRED + 1, INT8_MIN, INT8_MAX};
   static const int8_t scanners[] = {-2, 4, INT8_MIN, INT8_MAX};
   for (int i = 0; i < 4; i++) {
     put_changed(KIND_STATUS, STATES + 3, (uint8_t)states[i], 1);
@@ -335,7 +337,7 @@ int main(void) {
   RUN_TEST(test_times_before_the_beginning_and_past_all_bounds_are_ignored);
   RUN_TEST(test_robots_and_places_out_of_range_are_ignored);
   RUN_TEST(test_numbers_beyond_all_measure_are_ignored);
-  RUN_TEST(test_marks_that_are_neither_0_nor_1_are_ignored);
+  RUN_TEST(test_marks_that_are_neither_0_nor_1_and_intents_that_are_none_are_ignored);
   RUN_TEST(test_signals_and_territories_that_are_none_are_ignored);
   RUN_TEST(test_states_and_scanners_that_are_none_are_ignored);
   RUN_TEST(test_what_stands_behind_the_last_robot_and_place_says_nothing);

@@ -109,7 +109,7 @@ static void test_every_aim_lies_to_the_right_in_a_cell_one_step_nearer(void) {
 /* ---- wheels ---- */
 
 static driver_wheels steer(double heading, point aim) {
-  const driver_view view = {{0.0, 0.0}, heading, RAYS, range, REACH};
+  const driver_view view = {{0.0, 0.0}, heading, RAYS, range, REACH, DRIVER_SPEED};
   return driver_steer(&view, aim);
 }
 
@@ -196,7 +196,7 @@ static void test_any_view_gives_finite_wheels(void) {
     for (int i = 0; i < 5; i++) value[i] = extremes[random_below(&random, 7)] * (random_chance(&random, 50) ? 1 : -1);
     for (int ray = 0; ray < RAYS; ray++)
       range[ray] = random_chance(&random, 20) ? 0.0f : random_chance(&random, 20) ? 3e38f : (float)random_unit(&random);
-    const driver_view view = {{value[0], value[1]}, value[2], RAYS, range, REACH};
+    const driver_view view = {{value[0], value[1]}, value[2], RAYS, range, REACH, DRIVER_SPEED};
     const driver_wheels wheels = driver_steer(&view, (point){value[3], value[4]});
     TEST_ASSERT_TRUE_MESSAGE(fabs(wheels.left) < 2.0, case_note);
     TEST_ASSERT_TRUE_MESSAGE(fabs(wheels.right) < 2.0, case_note);
@@ -213,7 +213,7 @@ static double drive_past(double heading, point disc, point aim) {
     setUp();
     const double dx = disc.x - x, dy = disc.y - y;
     see_disc(dx * cos(heading) + dy * sin(heading), dy * cos(heading) - dx * sin(heading), DEMO_RADIUS);
-    const driver_view view = {{x, y}, heading, RAYS, range, REACH};
+    const driver_view view = {{x, y}, heading, RAYS, range, REACH, DRIVER_SPEED};
     const driver_wheels wheels = driver_steer(&view, aim);
     const double speed = (wheels.left + wheels.right) / 2;
     heading += 0.05 * (wheels.right - wheels.left) / DEMO_AXLE;

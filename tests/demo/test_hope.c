@@ -26,7 +26,7 @@ void tearDown(void) {
 }
 
 static bool hopes_at(double x, double y, int64_t seconds) {
-  return hope_left(&h, &way, &g, (point){x, y}, seconds * SECOND);
+  return hope_left(&h, &way, &g, (point){x, y}, 1.0, seconds * SECOND);
 }
 
 static void test_who_comes_nearer_hopes_on(void) {

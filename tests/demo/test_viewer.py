@@ -17,6 +17,7 @@ from viewer_live import Live  # noqa: E402, F401
 from viewer_playing import Playing, Refusing  # noqa: E402, F401
 from viewer_showing import Showing  # noqa: E402, F401
 from viewer_telling import Telling  # noqa: E402, F401
+from viewer_terms import Terms  # noqa: E402, F401
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 ALIVE = 0
-STATES = {ALIVE: "alive again", 1: "stopped", 2: "lost", 3: "stuck", 4: "without power"}
+STATES = {ALIVE: "alive again", 1: "stopped", 2: "lost", 3: "stuck", 4: "without power", 5: "low on battery: it goes home"}
 BAD = (2, 3, 4)
 BEHIND = 1_000_000  # microseconds; an older message came late, one older than that is of a world started anew
 

@@ -31,7 +31,7 @@ def scan(m):
 
 def command(m):
     return {"robot": is_robot(m["robot"]), "left": within(m["left"], FARTHEST), "right": within(m["right"], FARTHEST),
-            "read": is_mark(m["read"])}
+            "read": is_mark(m["read"]), "intent": 0 <= m["intent"] <= 3}
 
 
 def terminate(m):
@@ -43,7 +43,7 @@ def status(m):
     robots, places = m["robots"], m["places"]
     if not (0 <= robots <= MOST_ROBOTS and 0 <= places <= MOST_PLACES):
         return {"robots": 0 <= robots <= MOST_ROBOTS, "places": 0 <= places <= MOST_PLACES}
-    return {"mines_found": 0 <= m["mines_found"] <= places, "state": all(0 <= s <= 4 for s in m["state"][:robots]),
+    return {"mines_found": 0 <= m["mines_found"] <= places, "state": all(0 <= s <= 5 for s in m["state"][:robots]),
             "scanned_by": all(-1 <= robot < robots for robot in m["scanned_by"][:places]),
             "found": all(map(is_mark, m["found"][:places]))}
 

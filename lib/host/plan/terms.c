@@ -206,11 +206,3 @@ bool terms_any(const qtr_mission *mission) {
   return terms_depend_on_start(mission) || takes_scans(mission) || misses(mission) || all->smooth_only ||
          all->cell_steps > 1 || avoids(mission);
 }
-
-int terms_check_demo(const input *in, fault *why) {
-  if (!terms_any(&in->mission)) return 0;
-  return file_fault(
-      why, in->path, 0, 0,
-      "the demo cannot play the mission's terms yet (classes, scan times, detection, ready times, "
-      "endurance, a deadline, home_weight, a step_seconds of its own); `quarter simulate` plays its table");
-}

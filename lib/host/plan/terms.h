@@ -15,9 +15,6 @@ int terms_apply(input *in, pace *p, fault *why);
 bool terms_any(const qtr_mission *mission);
 bool terms_depend_on_start(const qtr_mission *mission);
 
-/* That the demo's robots can play the mission: they know none of the field's terms yet. 0, or -1 with *why set. */
-int terms_check_demo(const input *in, fault *why);
-
 /* Whether it has terms that spots cannot take: they take scan times and a deadline. */
 bool terms_leave_no_spots(const qtr_mission *mission);
 
