@@ -93,7 +93,8 @@ def is_found(channel, data):
 
 
 def drives(order):
-    return bool(order["left"] or order["right"])
+    """Or stands for a look, or until it is ready: it has not stopped."""
+    return bool(order["left"] or order["right"] or order["read"] or order["intent"] == 1)
 
 
 def note_order(stands_since, robot, order, seconds):
@@ -169,7 +170,8 @@ class Case(unittest.TestCase):
                 note_order(stands_since, number, message, time / 1e6)
         for ticks in poses.values():
             self.assertEqual(sorted(set(ticks)), list(range(ticks[-1] + 1)))
-        self.assertEqual(mine_seen[:1], [game["result"]["found_at"]] if game["result"]["found_at"] is not None else [])
+        found = game["result"]["found_at"]
+        self.assertEqual([round(game["pace"] * seen, 3) for seen in mine_seen[:1]], [found] if found is not None else [])
         self.assertEqual(len(stands_since), game["robots"])
         return max(stands_since.values())
 

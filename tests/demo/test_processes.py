@@ -11,7 +11,7 @@ sys.dont_write_bytecode = True  # a test leaves nothing in the checkout
 
 from processes_bus import LcmTools, Strangers  # noqa: E402, F401
 from processes_ends import Ends  # noqa: E402, F401
-from processes_games import Games, RobotAlone  # noqa: E402, F401
+from processes_games import Games, RobotAlone, Terms  # noqa: E402, F401
 from processes_input import BadInput  # noqa: E402, F401
 from processes_live import Live  # noqa: E402, F401
 from processes_seals import Seals  # noqa: E402, F401

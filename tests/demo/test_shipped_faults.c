@@ -47,8 +47,8 @@ static void play_with_faults(const char *mission) {
 }
 
 static void test_every_shipped_fault_strikes_before_the_default_games_find(void) {
-  static const char *const missions[] = {"minefield", "site", "warehouse", "turtlebot3_world"};
-  for (int i = 0; i < 4; i++) {
+  static const char *const missions[] = {"minefield", "site", "warehouse", "turtlebot3_world", "demining", "flat"};
+  for (int i = 0; i < 6; i++) {
     snprintf(case_note, sizeof case_note, "%s", missions[i]);
     play_with_faults(missions[i]);
   }

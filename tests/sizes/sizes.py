@@ -14,7 +14,7 @@ import call_graph
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from check_source import self_test
 
-MISSIONS = ("minefield", "site", "turtlebot3_world", "warehouse")
+MISSIONS = ("demining", "flat", "minefield", "site", "turtlebot3_world", "warehouse")
 CELLS = 32 * 32
 # A drawing of each, 32x32: places, robots, and the options it is learnt with.
 DRAWINGS = {
