@@ -12,7 +12,7 @@
 #define WATCHDOG 500000 /* microseconds without a command after which wheels stand */
 #define STILL 0.5       /* seconds of standing orders after which a robot counts as stopped */
 #define LINGER 1.0      /* seconds for which the game goes on after the last one stopped */
-#define NEAR_HOME 1.8   /* cells from its start at which a robot that went home is there */
+#define NEAR_HOME 1.4   /* cells from its start at which a robot that went home is there */
 #define MOVED 0.3       /* cells that count as making way */
 #define DEADLOCK 20.0   /* seconds without, on good ground */
 

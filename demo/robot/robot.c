@@ -10,7 +10,7 @@
 #define NEAR 0.16         /* cells from a place's middle at which the mine sensor is read */
 #define IN_RANGE 0.33     /* cells at which it is read where something stands on the place */
 #define AT_HOME 0.45      /* cells from its start's middle at which it is home */
-#define BY_HOME 1.7       /* cells at which it is where something stands in between: others are home already */
+#define BY_HOME 1.2       /* cells at which it is where something stands in between: others are home already */
 #define MADE_WAY 0.5      /* cells */
 #define PATIENCE 2500000  /* microseconds without making way after which it tries the other side */
 #define KEEP_LEFT 3000000 /* microseconds for which it does at least */

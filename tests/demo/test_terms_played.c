@@ -118,14 +118,30 @@ static void test_the_shipped_missions_are_played_as_planned(void) {
   assert_no_look_is_late("flat");
 }
 
+static double away_from_start[2];
+
+static void watch_starts(void *user, const arena *a) {
+  const qtr_policy *policy = &a->t->policy;
+  (void)user;
+  for (int i = 0; i < 2; i++) {
+    const point start =
+        ground_centre(&a->g, qtr_policy_cell(policy, (unsigned)policy->board.places + policy->board.start_of[i]));
+    const point at = world_pose_of(a->w, i).at;
+    away_from_start[i] = hypot(at.x - start.x, at.y - start.y);
+  }
+}
+
 static void test_all_go_home_in_time(void) {
   prepare(two_classes);
-  play(without_mine(1));
+  game_setup setup = without_mine(1);
+  setup.watch = watch_starts;
+  play(setup);
   for (int i = 0; i < 2; i++) {
     const qtr_steps end = qtr_board_end(&play_plan.t.policy.board, (unsigned)i);
     TEST_ASSERT_EQUAL_INT(1, events_of(EVENT_HOME, i));
     TEST_ASSERT_TRUE(time_of(EVENT_HOME, i) / game_pace(&play_plan.t) <= end * game_step_seconds(&play_plan.t));
   }
+  for (int i = 0; i < 2; i++) TEST_ASSERT_TRUE(away_from_start[i] < 0.6);
   TEST_ASSERT_EQUAL_INT(0, events_of(EVENT_TIRED, -1));
   TEST_ASSERT_EQUAL_INT(2, play_territories_done());
 }
