@@ -51,7 +51,7 @@ class Followed(Served):
             for found in (0, 1, 2, -1):
                 utime += 10_000
                 self.status(utime, scanned=scanned, found=found, robots=16)
-        for state in (-1, 5, 99):
+        for state in (-1, 6, 99):
             self.status(utime, state=state)
         for number in range(asked.robots, 16):
             for territory in (0, number, -1, 99):
