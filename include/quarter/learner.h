@@ -108,10 +108,14 @@ typedef struct {
 /* Bytes of the workspace that learning a game takes, on whatever aggregate of it. */
 size_t qtr_learner_bytes(const qtr_game *game);
 
+/* What ruin and recreate takes of it. */
+#define QTR_RECREATION_BYTES (QTR_RECREATES ? 3 * sizeof(qtr_routes) + (size_t)QTR_MAX_PLACES * 32 + 192 : 0)
+
 /* At most, where seekers are of no more than QTR_MAX_CLASSES kinds (quarter/terms.h): what the bound's prices, the game
  * under way and the search on it take, then the bound's gains. */
 #define QTR_LEARNER_BYTES                                                                                              \
-  (2 * sizeof(qtr_play) + 2 * sizeof(qtr_routes) + QTR_MAX_CHOICES * (sizeof(qtr_key) + QTR_RECORD_BYTES + 64) +       \
+  (2 * sizeof(qtr_play) + 2 * sizeof(qtr_routes) + QTR_RECREATION_BYTES +                                              \
+   QTR_MAX_CHOICES * (sizeof(qtr_key) + QTR_RECORD_BYTES + 64) +                                                       \
    (size_t)QTR_MAX_PLACES *                                                                                            \
        (sizeof(qtr_key) + 64 + QTR_MAX_CLASSES * (8 + 4 * (QTR_MAX_NODES + QTR_MAX_PLACES) + 24 * QTR_BOUND_SLOTS)) +  \
    1024)

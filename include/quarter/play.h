@@ -32,6 +32,10 @@ typedef struct {
 /* A route for each seeker and, in games with an end, behind them one of the places that nobody visits. */
 #define QTR_MAX_ROUTES (QTR_MAX_SEEKERS + (QTR_TERMS ? 1 : 0))
 
+/* Whether the learner of this build searches for games by ruin and recreate, too: a few places are searched well by
+ * moves one at a time alone. */
+#define QTR_RECREATES (QTR_MAX_PLACES > 12)
+
 typedef struct {
   uint16_t length[QTR_MAX_ROUTES];
   uint16_t place[QTR_MAX_ROUTES][QTR_MAX_PLACES]; /* in the order of the visits */

@@ -4,6 +4,7 @@
 
 #include "learn/certificate.h"
 #include "learn/episode.h"
+#include "learn/planning.h"
 #include "learn/role.h"
 #include "model/rounding.h"
 #include "quarter/status.h"
@@ -92,6 +93,7 @@ enum qtr_learning qtr_certified_step(qtr_learner *learner) {
   learner->episodes++;
   certified_run(learner);
   if (learner->best.score.worth > best) qtr_certified_refine(learner, LATER_ROUNDS);
+  qtr_planning_step(learner);
   if (!learner_is_aggregate(learner)) learner->ground_upper = learner->upper;
   /* Anytime: what is known when learning stops is the best that was ever known. */
   QTR_ASSERT(learner->best.score.worth >= best && learner->upper <= upper);

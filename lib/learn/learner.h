@@ -7,6 +7,7 @@
 #include "search/bound.h"
 #include "search/explore.h"
 #include "search/qtable.h"
+#include "search/recreate.h"
 #include "search/refine.h"
 
 /* The choices of a state, each with its Q and the entry that it is stored under. */
@@ -45,6 +46,10 @@ struct qtr_learner {
   qtr_play play;
   qtr_routes routes;
   qtr_refinery refinery;
+#if QTR_RECREATES
+  qtr_recreation recreation;
+  double planned; /* worth of the best game that it knows of */
+#endif
   qtr_explorer explorer;
   qtr_candidates candidates;
   qtr_trace trace[QTR_MAX_CHOICES];

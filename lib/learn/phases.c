@@ -8,6 +8,7 @@
 #include "learn/certified.h"
 #include "learn/episode.h"
 #include "learn/exploring.h"
+#include "learn/planning.h"
 #include "learn/role.h"
 #include "model/rounding.h"
 #include "model/settings.h"
@@ -116,6 +117,7 @@ int qtr_learner_init_built(qtr_learner **made, const qtr_learner_blocks *blocks,
   learner->updates = 0;
   learner->max_q = 0.0;
   learner->phase = QTR_PHASE_GROUND_PRICES;
+  qtr_planning_init(learner);
   play_first(learner);
   qtr_qtable_init(&learner->table, blocks->table, blocks->table_words, &learner->environment->keys,
                   !learner_is_paper(learner) && config->gap < QTR_FLOAT_GAP);
@@ -162,6 +164,7 @@ static void tune_prices(qtr_learner *learner) {
 /* Prices alone often close the gap, when local search has found the best game: then no Q is needed. */
 static enum qtr_learning step_prices(qtr_learner *learner) {
   if (!learner_learns_alone(learner) && qtr_certificate_closed(learner)) return QTR_CERTIFIED;
+  qtr_planning_step(learner);
   tune_prices(learner);
   return !learner_learns_alone(learner) && qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
 }

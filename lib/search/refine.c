@@ -1,68 +1,15 @@
 #include "search/refine.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "model/rounding.h"
 #include "quarter/random.h"
 #include "quarter/status.h"
-#include "robot/board.h"
+#include "search/route.h"
 
 #define SEGMENT_MOST 3 /* places that are moved together */
 #define WORTHLESS (-1e300)
-#define ROUNDING 1e-12 /* relative: more than adding up a route is wrong by */
-#define SHAKES_MOST 3  /* random moves in a round */
-
-/* What nobody visits is worth nothing, and takes until the end. */
-static qtr_route_score evaluate_left_out(const qtr_game *game, const uint16_t *places, unsigned length) {
-  qtr_route_score score = {0.0, 0.0};
-  for (unsigned i = 0; i < length; i++) score.time += game->probability[places[i]] * (double)game->objective.terms.end;
-  return score;
-}
-
-/* Under the free rule seekers do not hinder one another: a game's worth is the sum over its routes, each by itself. */
-qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length) {
-  const qtr_board *board = &game->board;
-  if (seeker == board->seekers && seeker < qtr_routes_count(game)) return evaluate_left_out(game, places, length);
-  if (seeker >= board->seekers) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
-  const qtr_steps end = qtr_board_end(board, seeker);
-  unsigned node = (unsigned)board->places + board->start_of[seeker];
-  qtr_route_score score = {0.0, 0.0};
-  qtr_steps now = qtr_board_ready(board, seeker);
-  for (unsigned i = 0; i < length; i++) {
-    const qtr_steps steps = qtr_board_steps(board, seeker, node, places[i]);
-    if (steps == QTR_NEVER) return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
-    now += steps;
-    if (end != QTR_NEVER && now + qtr_board_home(board, seeker, places[i]) > end)
-      return (qtr_route_score){-HUGE_VAL, HUGE_VAL};
-    score.worth += qtr_game_worth(game, places[i], now);
-    score.time += game->probability[places[i]] * (double)now;
-    node = places[i];
-  }
-  const double home = qtr_objective_leave(&game->objective, now + qtr_game_way_home(game, seeker, node));
-  score.worth += home;
-  score.time -= home;
-  return score;
-}
-
-static qtr_route_score sum_of(qtr_route_score a, qtr_route_score b) {
-  return (qtr_route_score){a.worth + b.worth, a.time + b.time};
-}
-
-/* By more than rounding: or a move and its undoing could both be gains, and the search go to and fro. */
-static bool is_worth_more(qtr_route_score after, qtr_route_score before) {
-  return after.worth > before.worth + ROUNDING * fabs(before.worth);
-}
-
-static bool is_sooner(qtr_route_score after, qtr_route_score before) {
-  return after.time < before.time - ROUNDING * before.time;
-}
-
-/* Worth more or else, at no loss of worth, sooner. The sum of the routes' worths never falls, and where it stays the
- * sum of their times falls: no series of changes comes back to where it was, so the search ends. */
-static bool is_better(qtr_route_score after, qtr_route_score before) {
-  return is_worth_more(after, before) || (after.worth >= before.worth && is_sooner(after, before));
-}
+#define SHAKES_MOST 3 /* random moves in a round */
 
 static void set_route(qtr_routes *routes, unsigned seeker, const uint16_t *places, unsigned length,
                       qtr_route_score score) {
@@ -86,7 +33,7 @@ static unsigned append_reversed(uint16_t *route, unsigned length, const uint16_t
 /* A move within a route leaves the other ones as they are, so its own score decides. */
 static bool keep_one(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker, unsigned length) {
   const qtr_route_score score = qtr_route_evaluate(game, seeker, r->a, length);
-  if (!is_better(score, routes->score[seeker])) return false;
+  if (!qtr_route_is_better(score, routes->score[seeker])) return false;
   set_route(routes, seeker, r->a, length, score);
   return true;
 }
@@ -95,10 +42,11 @@ static bool keep_two(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, 
                      unsigned second, unsigned second_length) {
   const qtr_route_score one = qtr_route_evaluate(game, first, r->a, first_length);
   const qtr_route_score other = qtr_route_evaluate(game, second, r->b, second_length);
-  const qtr_route_score before = sum_of(routes->score[first], routes->score[second]);
+  const qtr_route_score before = qtr_route_sum(routes->score[first], routes->score[second]);
   /* Neither route may lose, for what one loses may be too little for the sum to show. */
   const bool none_loses = one.worth >= routes->score[first].worth && other.worth >= routes->score[second].worth;
-  if (!is_worth_more(sum_of(one, other), before) && !(none_loses && is_sooner(sum_of(one, other), before)))
+  if (!qtr_route_is_worth_more(qtr_route_sum(one, other), before) &&
+      !(none_loses && qtr_route_is_sooner(qtr_route_sum(one, other), before)))
     return false;
   set_route(routes, first, r->a, first_length, one);
   set_route(routes, second, r->b, second_length, other);
@@ -244,7 +192,7 @@ static qtr_route_score evaluate_all(qtr_routes *routes, const qtr_game *game) {
   qtr_route_score sum = {0.0, 0.0};
   for (unsigned seeker = 0; seeker < qtr_routes_count(game); seeker++) {
     routes->score[seeker] = qtr_route_evaluate(game, seeker, routes->place[seeker], routes->length[seeker]);
-    sum = sum_of(sum, routes->score[seeker]);
+    sum = qtr_route_sum(sum, routes->score[seeker]);
   }
   return sum;
 }
@@ -259,13 +207,13 @@ void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsig
   descend(r, routes, game);
   qtr_route_score best = evaluate_all(routes, game);
   /* Each move that is kept betters the sum. */
-  QTR_ASSERT(!is_worth_more(given, best));
+  QTR_ASSERT(!qtr_route_is_worth_more(given, best));
   r->best = *routes;
   for (unsigned round = 0; round < rounds && may_go_on(game); round++) {
     for (unsigned shakes = 1 + draw(r, SHAKES_MOST); shakes > 0; shakes--) shake(r, routes, game);
     descend(r, routes, game);
     const qtr_route_score score = evaluate_all(routes, game);
-    if (is_better(score, best)) {
+    if (qtr_route_is_better(score, best)) {
       best = score;
       r->best = *routes;
     } else {

@@ -23,10 +23,6 @@ typedef struct {
   uint64_t random;
 } qtr_refinery;
 
-/* What one seeker's route brings; as of one with a place that cannot be reached where there is no such place or
- * seeker. */
-qtr_route_score qtr_route_evaluate(const qtr_game *game, unsigned seeker, const uint16_t *places, unsigned length);
-
 /* Improve `routes` (their scores need not be set), with `rounds` of shaking; `seed` decides how they shake. A stop by
  * the mission's watch leaves the best routes found so far. */
 void qtr_refine(qtr_refinery *refinery, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed);
