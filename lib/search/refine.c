@@ -1,5 +1,6 @@
 #include "search/refine.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "model/rounding.h"
@@ -9,13 +10,62 @@
 
 #define SEGMENT_MOST 3 /* places that are moved together */
 #define WORTHLESS (-1e300)
-#define SHAKES_MOST 3 /* random moves in a round */
+#define PIECES_ROUNDING 1e-9 /* relative: far more than sums of pieces are wrong by */
+#define SHAKES_MOST 3        /* random moves in a round */
 
-static void set_route(qtr_routes *routes, unsigned seeker, const uint16_t *places, unsigned length,
+static inline bool is_told(const qtr_refinery *r) {
+  return QTR_RECREATES && r->told;
+}
+
+static void set_route(qtr_refinery *r, qtr_routes *routes, unsigned seeker, const uint16_t *places, unsigned length,
                       qtr_route_score score) {
   memcpy(routes->place[seeker], places, length * sizeof *places);
   routes->length[seeker] = (uint16_t)length;
   routes->score[seeker] = score;
+  if (is_told(r)) qtr_pieces_refresh(&r->pieces, seeker);
+}
+
+/* ---- what a move would bring, told from pieces: whether it is worth following the routes that it makes ---- */
+
+/* As close to a gain as what the sums are wrong by. */
+static bool is_promising(double after, double before) {
+  return after >= before - PIECES_ROUNDING * fabs(before);
+}
+
+static bool reverse_is_promising(const qtr_refinery *r, const qtr_routes *routes, unsigned seeker, unsigned from,
+                                 unsigned to, qtr_piece reversed) {
+  const qtr_pieces *p = &r->pieces;
+  qtr_piece all = qtr_pieces_join(p, seeker, qtr_pieces_of(p, seeker, 0, from), reversed);
+  all = qtr_pieces_join(p, seeker, all, qtr_pieces_of(p, seeker, to, routes->length[seeker]));
+  return is_promising(qtr_pieces_worth(p, seeker, all), routes->score[seeker].worth);
+}
+
+/* Two pieces of one route that change places: from..middle-1 and middle..to-1. */
+static bool swap_is_promising(const qtr_refinery *r, const qtr_routes *routes, unsigned seeker, unsigned from,
+                              unsigned middle, unsigned to) {
+  const qtr_pieces *p = &r->pieces;
+  qtr_piece all = qtr_pieces_join(p, seeker, qtr_pieces_of(p, seeker, 0, from), qtr_pieces_of(p, seeker, middle, to));
+  all = qtr_pieces_join(p, seeker, all, qtr_pieces_of(p, seeker, from, middle));
+  all = qtr_pieces_join(p, seeker, all, qtr_pieces_of(p, seeker, to, routes->length[seeker]));
+  return is_promising(qtr_pieces_worth(p, seeker, all), routes->score[seeker].worth);
+}
+
+/* What a seeker's route is worth with `piece` in place of from..to-1. */
+static double worth_with(const qtr_refinery *r, const qtr_routes *routes, unsigned seeker, unsigned from, unsigned to,
+                         qtr_piece piece) {
+  const qtr_pieces *p = &r->pieces;
+  qtr_piece all = qtr_pieces_join(p, seeker, qtr_pieces_of(p, seeker, 0, from), piece);
+  all = qtr_pieces_join(p, seeker, all, qtr_pieces_of(p, seeker, to, routes->length[seeker]));
+  return qtr_pieces_worth(p, seeker, all);
+}
+
+static bool exchange_is_promising(const qtr_refinery *r, const qtr_routes *routes, unsigned first, unsigned from,
+                                  unsigned count, unsigned second, unsigned at, unsigned other) {
+  const qtr_pieces *p = &r->pieces;
+  if (!qtr_pieces_fit(p->game, first, second)) return true;
+  const double a = worth_with(r, routes, first, from, from + count, qtr_pieces_of(p, second, at, at + other));
+  const double b = worth_with(r, routes, second, at, at + other, qtr_pieces_of(p, first, from, from + count));
+  return is_promising(a + b, routes->score[first].worth + routes->score[second].worth);
 }
 
 /* ---- moves: each is tried in the refinery's scratch and kept if it betters the sum ---- */
@@ -34,7 +84,7 @@ static unsigned append_reversed(uint16_t *route, unsigned length, const uint16_t
 static bool keep_one(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker, unsigned length) {
   const qtr_route_score score = qtr_route_evaluate(game, seeker, r->a, length);
   if (!qtr_route_is_better(score, routes->score[seeker])) return false;
-  set_route(routes, seeker, r->a, length, score);
+  set_route(r, routes, seeker, r->a, length, score);
   return true;
 }
 
@@ -48,8 +98,8 @@ static bool keep_two(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, 
   if (!qtr_route_is_worth_more(qtr_route_sum(one, other), before) &&
       !(none_loses && qtr_route_is_sooner(qtr_route_sum(one, other), before)))
     return false;
-  set_route(routes, first, r->a, first_length, one);
-  set_route(routes, second, r->b, second_length, other);
+  set_route(r, routes, first, r->a, first_length, one);
+  set_route(r, routes, second, r->b, second_length, other);
   return true;
 }
 
@@ -67,6 +117,9 @@ static bool try_reverse(qtr_refinery *r, qtr_routes *routes, const qtr_game *gam
 static bool try_shift(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker, unsigned from,
                       unsigned count, unsigned at) {
   const uint16_t *route = routes->place[seeker];
+  const unsigned least = at < from ? at : from;
+  const unsigned most = at < from ? from + count : at + count;
+  if (is_told(r) && !swap_is_promising(r, routes, seeker, least, at < from ? from : from + count, most)) return false;
   uint16_t *rest = r->b;
   unsigned left = append(rest, 0, route, from);
   left = append(rest, left, route + from + count, routes->length[seeker] - from - count);
@@ -80,6 +133,7 @@ static bool try_shift(qtr_refinery *r, qtr_routes *routes, const qtr_game *game,
  * with both up to the ends the tails change hands. */
 static bool try_exchange(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned from,
                          unsigned count, unsigned second, unsigned at, unsigned other) {
+  if (is_told(r) && !exchange_is_promising(r, routes, first, from, count, second, at, other)) return false;
   const uint16_t *x = routes->place[first];
   const uint16_t *y = routes->place[second];
   unsigned a = append(r->a, 0, x, from);
@@ -107,11 +161,24 @@ static bool search_shifts(qtr_refinery *r, qtr_routes *routes, const qtr_game *g
   return false;
 }
 
-/* 2-opt. Ways differ by direction on terrain, so the whole route is evaluated anew. */
+/* Ways differ by direction on terrain: what is turned round is put together anew, place by place. */
+static bool search_reversals_from(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker,
+                                  unsigned from) {
+  const uint16_t *route = routes->place[seeker];
+  qtr_piece reversed = is_told(r) ? qtr_pieces_single(&r->pieces, route[from]) : (qtr_piece){0};
+  for (unsigned to = from + 2; to <= routes->length[seeker]; to++) {
+    if (is_told(r))
+      reversed = qtr_pieces_join(&r->pieces, seeker, qtr_pieces_single(&r->pieces, route[to - 1]), reversed);
+    if (is_told(r) && !reverse_is_promising(r, routes, seeker, from, to, reversed)) continue;
+    if (try_reverse(r, routes, game, seeker, from, to)) return true;
+  }
+  return false;
+}
+
+/* 2-opt. */
 static bool search_reversals(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned seeker) {
   for (unsigned from = 0; from + 1 < routes->length[seeker] && may_go_on(game); from++)
-    for (unsigned to = from + 2; to <= routes->length[seeker]; to++)
-      if (try_reverse(r, routes, game, seeker, from, to)) return true;
+    if (search_reversals_from(r, routes, game, seeker, from)) return true;
   return false;
 }
 
@@ -197,6 +264,18 @@ static qtr_route_score evaluate_all(qtr_routes *routes, const qtr_game *game) {
   return sum;
 }
 
+/* What it tells is of routes that can be followed. */
+static void begin_pieces(qtr_refinery *r, const qtr_routes *routes, const qtr_game *game, bool possible) {
+  r->told = possible && qtr_pieces_tell(game);
+  r->pieces.game = game;
+  r->pieces.routes = routes;
+}
+
+static void refresh_pieces(qtr_refinery *r, const qtr_game *game) {
+  for (unsigned seeker = 0; is_told(r) && seeker < game->board.seekers; seeker++)
+    qtr_pieces_refresh(&r->pieces, seeker);
+}
+
 /* Iterated local search: shake the best routes, descend, keep what is better. The learner's proof has no use for where
  * its first game came from, so nothing here needs to be optimal. */
 void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned rounds, uint64_t seed) {
@@ -204,6 +283,8 @@ void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsig
   /* Moves take places from route to route: what is no division at first never becomes one. */
   QTR_ASSERT(qtr_routes_are_division(routes, qtr_routes_count(game)));
   const qtr_route_score given = evaluate_all(routes, game);
+  begin_pieces(r, routes, game, given.worth > -HUGE_VAL);
+  refresh_pieces(r, game);
   descend(r, routes, game);
   qtr_route_score best = evaluate_all(routes, game);
   /* Each move that is kept betters the sum. */
@@ -218,6 +299,7 @@ void qtr_refine(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsig
       r->best = *routes;
     } else {
       *routes = r->best;
+      refresh_pieces(r, game);
     }
   }
 }

@@ -13,6 +13,7 @@
 
 #include "quarter/config.h"
 #include "quarter/game.h"
+#include "search/pieces.h"
 #include "search/play.h"
 
 /* Caller's memory for the search. */
@@ -21,6 +22,8 @@ typedef struct {
   uint16_t a[QTR_MAX_PLACES]; /* routes being tried */
   uint16_t b[QTR_MAX_PLACES];
   uint64_t random;
+  qtr_pieces pieces; /* of the routes searched */
+  bool told;         /* whether they tell what moves bring */
 } qtr_refinery;
 
 /* Improve `routes` (their scores need not be set), with `rounds` of shaking; `seed` decides how they shake. A stop by
