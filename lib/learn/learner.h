@@ -48,7 +48,8 @@ struct qtr_learner {
   qtr_refinery refinery;
 #if QTR_RECREATES
   qtr_recreation recreation;
-  double planned; /* worth of the best game that it knows of */
+  double planned;         /* worth of the best game that it knows of */
+  uint32_t planned_steps; /* that it has gone on beside */
 #endif
   qtr_explorer explorer;
   qtr_candidates candidates;

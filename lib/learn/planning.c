@@ -9,15 +9,29 @@
 #define LONGEST_RUN (1u << 24)
 #define WORK_MOST (1u << 19) /* rounds times places of one step */
 
-/* In proportion to what a step does itself: prices and episodes take the square of the places and more, a round takes
- * the places. Games of few places are mostly over before they need it. */
+/* As long as the prices' horizon, whose slots they take time for. */
+static uint32_t horizon(const qtr_learner *learner) {
+  qtr_steps last = 0;
+  for (unsigned place = 0; place < learner->game->board.places; place++) {
+    const qtr_steps visit = learner->best.visit[place];
+    if (visit != QTR_NEVER && visit > last) last = visit;
+  }
+  return last < QTR_BOUND_SLOTS / 2 ? 2 * last : QTR_BOUND_SLOTS;
+}
+
+/* A share of what a step takes itself: prices take their slots times the square of the places, episodes the cube, and a
+ * round takes the places. Much of it comes first, for prices are tuned towards the best game. Games of few places are
+ * mostly over before they need it. */
 static uint32_t rounds_of_step(const qtr_learner *learner) {
   const uint32_t places = learner->game->board.places;
   const bool prices = learner->phase != QTR_PHASE_EPISODES;
   const uint32_t few = prices ? 24 : 12;
+  const uint32_t most = WORK_MOST / places;
   if (places <= few) return 0;
-  const uint32_t rounds = places * (places - few) / (prices ? 4 : 100);
-  return rounds < WORK_MOST / places ? rounds : WORK_MOST / places;
+  const uint32_t more = places - few;
+  const uint32_t rounds =
+      prices ? 2 * places * more / (1 + learner->planned_steps) + horizon(learner) * more / 32 : places * more / 100;
+  return rounds < most ? rounds : most;
 }
 
 /* Every better game that is found elsewhere goes in. */
@@ -47,6 +61,7 @@ static void hand_over(qtr_learner *learner) {
 
 void qtr_planning_init(qtr_learner *learner) {
   learner->recreation.round = learner->recreation.rounds = 0;
+  learner->planned_steps = 0;
 }
 
 void qtr_planning_step(qtr_learner *learner) {
@@ -55,6 +70,7 @@ void qtr_planning_step(qtr_learner *learner) {
   take_over(learner);
   qtr_recreation_go_on(&learner->recreation, rounds);
   hand_over(learner);
+  learner->planned_steps++;
   learner->planned = learner->best.score.worth;
 }
 
