@@ -47,6 +47,7 @@ static const option_line lines[] = {
     {"region-likelihood", NULL, 44},
     OPTION_LINE("region-times"),
     OPTION_LINE("starts"),
+    OPTION_LINE("start-regions"),
     OPTION_LINE("cleared"),
     OPTION_LINE("table-limit"),
     OPTION_LINE("against"),

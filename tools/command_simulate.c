@@ -198,12 +198,32 @@ static int find_starts(qtr_cell *starts, const table *t, const options *o, fault
   return 0;
 }
 
+/* Names the first cell that is no start for its robot. */
+static int refuse_start(const qtr_cell *starts, const account *a, fault *why) {
+  const options *o = a->o;
+  const qtr_policy *policy = &a->t.policy;
+  const naming n = table_naming(&a->t);
+  for (unsigned i = 0; i < policy->board.seekers; i++) {
+    const unsigned region = qtr_policy_region(policy, starts[i]);
+    bool reaches = false;
+    for (unsigned place = 0; region < policy->board.starts && place < policy->board.places; place++)
+      reaches = reaches || qtr_board_steps(&policy->board, i, policy->board.places + region, place) != QTR_NEVER;
+    if (reaches) continue;
+    return fault_set(why, "--from %d,%d: %s; give robot %s a free cell with a way to some place",
+                     o->game.from[i].column, o->game.from[i].row,
+                     region == QTR_POLICY_NO_REGION ? "an obstacle" : "no place can be reached from there",
+                     naming_seeker(&n, i).text);
+  }
+  return fault_set(why, "--from: not a start of %s", o->input);
+}
+
 static int deploy(account *a, fault *why) {
   const options *o = a->o;
   const bool elsewhere = o->game.froms > 0;
   qtr_cell starts[QTR_MAX_SEEKERS];
   if (elsewhere && find_starts(starts, &a->t, o, why) != 0) return -1;
   if (qtr_deployment_init(&a->deployment, &a->t.policy, elsewhere ? starts : NULL, &o->game.clear) == QTR_OK) return 0;
+  if (elsewhere && a->t.policy.any_start) return refuse_start(starts, a, why);
   return fault_set(why, "--from: an obstacle, or not a start of %s; name free cells, of a table made with --starts any",
                    o->input);
 }

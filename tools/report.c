@@ -157,8 +157,10 @@ static void write_json(FILE *out, const void *what) {
     json_natural(&j, "games", r->any.games);
     json_bool(&j, "complete", r->any.complete);
     json_natural(&j, "regions", r->any.regions);
+    json_natural(&j, "regions_meant", r->any.regions_meant);
     json_integer(&j, "trials", r->any.trials);
     json_number(&j, "median_loss", r->any.median_loss);
+    json_number(&j, "ninety_loss", r->any.ninety_loss);
     json_number(&j, "worst_loss", r->any.worst_loss);
     json_end_object(&j);
   }
@@ -240,6 +242,22 @@ static void write_terms(FILE *out, const report *r) {
   write_left_places(out, r);
 }
 
+/* What a table for any start or progress loses, and what a stop left out of it. */
+static void write_anywhere(FILE *out, const anywhere_report *any, uint64_t seed) {
+  if (any->trials > 0)
+    fprintf(out,
+            "for any start in %s; from %s (seed %" PRIu64 ") it loses %.2g%% (median), %.2g%% (nine tenths), %.2g%% "
+            "(worst) against policies learnt for them alone\n",
+            counted(any->regions, "region").text, counted((uint64_t)any->trials, "random start").text, seed,
+            100.0 * any->median_loss, 100.0 * any->ninety_loss, 100.0 * any->worst_loss);
+  if (any->regions < any->regions_meant)
+    fprintf(out, "ended (%s) before a table for %s was learnt\n", stop_reason(),
+            counted(any->regions_meant, "region").text);
+  else if (!any->complete)
+    fprintf(out, "ended (%s) with %s learnt for the table; in all others robots go by their rule\n", stop_reason(),
+            counted(any->games, "game").text);
+}
+
 static void write_text(FILE *out, const void *what) {
   const report *r = what;
   const qtr_mission *mission = &r->p->in.mission;
@@ -260,15 +278,7 @@ static void write_text(FILE *out, const void *what) {
   if (r->o->output != NULL)
     fprintf(out, "wrote %s: %s, %s\n", r->o->output, counted(r->table_bytes, "byte").text,
             counted(r->table_records, "state").text);
-  if (r->anywhere && r->any.trials > 0)
-    fprintf(out,
-            "for any start in %s; from %s it loses %.2g%% (median), %.2g%% (worst) "
-            "against policies learnt for them alone\n",
-            counted(r->any.regions, "region").text, counted((uint64_t)r->any.trials, "random start").text,
-            100.0 * r->any.median_loss, 100.0 * r->any.worst_loss);
-  if (r->anywhere && !r->any.complete)
-    fprintf(out, "ended (%s) with %s learnt for the table; in all others robots go by their rule\n", stop_reason(),
-            counted(r->any.games, "game").text);
+  if (r->anywhere) write_anywhere(out, &r->any, r->o->plan.learner.seed);
   if (r->o->c_output != NULL) fprintf(out, "wrote %s\n", r->o->c_output);
   fit_write(out, &r->fit);
 }

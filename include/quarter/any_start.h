@@ -1,15 +1,16 @@
 /* A table that also answers for starts in any region of the map, and for any set of places cleared beforehand, so that
  * one table serves redeployment and a mission resumed.
  *
- * For every crew (a region for each seeker; alike seekers are interchangeable, so the regions of a crew never fall) and
- * every set of places cleared there is a game to learn. All are recorded on one board, whose starts are the regions'
- * representatives and after them the mission's own. The mission's own games come first, and in a state that several
- * games meet theirs decide, so that the certificate in the table is what they earn.
+ * For every crew (a region for each seeker; those of one class and ready time are interchangeable, so that their
+ * regions never fall from one to the next) and every set of places cleared there is a game to learn. Regions that
+ * nobody gets to a place from are of no crew, if they are the last ones. All games are recorded on one board, whose
+ * starts are the regions' representatives and after them the mission's own. The mission's own games come first, and in
+ * a state that several games meet theirs decide, so that the certificate in the table is what they earn.
  *
  *   qtr_any_start_init(&any, &asked, &blocks, &travel);
  *   while (qtr_any_start_next(&any)) {
- *     // learn qtr_any_start_rest(), or take what is known of the mission itself: any.is_whole
- *     qtr_any_start_add(&any, &routes);
+ *     // learn qtr_any_start_game(), or take what is known of the mission itself: any.is_whole
+ *     qtr_any_start_add(&any, &routes, number);
  *   }
  *   qtr_any_start_finish(&any);
  *   qtr_table_write(&content, ...);  // content = qtr_any_start_content()
@@ -30,7 +31,8 @@
 
 QTR_C_BEGIN
 
-/* What the table is to be for. Game and regions must outlive its making. */
+/* What the table is to be for. Game and regions must outlive its making. The game's robots need not come home: where
+ * that counts, other starts make another mission. */
 typedef struct {
   const qtr_game *game;       /* the mission's own, set up */
   const qtr_regions *regions; /* any of them may be a start; NULL: the mission's own starts alone */
@@ -56,7 +58,8 @@ typedef struct {
   qtr_any_start_asked asked;
   qtr_any_start_blocks blocks;
   qtr_board board;
-  uint16_t regions; /* starts that crews are drawn from; 0: none */
+  uint16_t regions;   /* the board's first starts; 0: none */
+  uint16_t inhabited; /* of them, the first ones: those that crews are drawn from */
   /* the game that is to be learnt */
   uint16_t start_of[QTR_MAX_SEEKERS]; /* the crew */
   qtr_places cleared;
@@ -69,30 +72,38 @@ typedef struct {
   double crews;   /* done */
 } qtr_any_start;
 
-/* QTR_OK, or QTR_ERR_LIMIT for more regions than a table can tell starts of. */
+/* QTR_OK; QTR_ERR_LIMIT for more regions than a table can tell starts of, QTR_ERR_ARGUMENT for robots that must come
+ * home, and for any places cleared where they are looked at more than once. */
 int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked);
 
-/* Measure the board. `travel` is scratch. QTR_OK, QTR_ERR_STOPPED by the mission's watch, QTR_ERR_LIMIT, or
- * QTR_ERR_CONFIG if the caller was built under other sizes. */
+/* Measure the board. `travel` is scratch. QTR_OK, what qtr_any_start_needs() says, QTR_ERR_STOPPED by the mission's
+ * watch, or QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_any_start_init(any, asked, blocks, travel)                                                                 \
   qtr_any_start_init_built(any, asked, blocks, travel, QTR_CONFIG_ID)
 int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *asked, const qtr_any_start_blocks *blocks,
                              qtr_travel *travel, uint32_t config_id);
 
-/* Ways to put the seekers into the regions; games to learn; bytes of records that they will take, about. */
+/* Ways to put the seekers into the regions, and into as many as these; games to learn; bytes of records that they take
+ * at most. */
 double qtr_any_start_count_crews(const qtr_any_start *any);
+double qtr_any_start_crews_of(const qtr_mission *mission, unsigned regions);
 double qtr_any_start_count_games(const qtr_any_start *any);
 double qtr_any_start_estimate(const qtr_any_start *any);
 
 /* Go on to the next game. False: there is none left. */
 bool qtr_any_start_next(qtr_any_start *any);
 
-/* The mission that is left in the game under way, as qtr_rest_make() has it. */
-void qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *number);
+/* The mission that is left in the game under way, as qtr_rest_make() has it: without the places cleared, and those that
+ * nobody of the crew can get to; later looks have their numbers, too. False, with nothing made: there is none left. */
+bool qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *number);
 
-/* Record the game under way, played by routes whose places are numbered by `number` (NULL: as in the whole mission).
- * QTR_OK; with nothing recorded QTR_ERR_SPACE if the entries have no room left: copy them to a larger block, tell it by
- * qtr_any_start_move(), and try again. */
+/* That mission, and its game set up by the travel times that are known. QTR_OK; QTR_ERR_UNREACHABLE where no place is
+ * left, or what qtr_rest_game() says, which for some crews is that they cannot play: then go on. */
+int qtr_any_start_game(const qtr_any_start *any, qtr_game *game, qtr_mission *rest, uint16_t *number);
+
+/* Record the game under way, played by routes whose places are those of a game of the rest, numbered by `number` (NULL:
+ * as in the whole mission). QTR_OK; with nothing recorded QTR_ERR_SPACE if the entries have no room left: copy them to
+ * a larger block, tell it by qtr_any_start_move(), and try again. */
 int qtr_any_start_add(qtr_any_start *any, const qtr_routes *routes, const uint16_t *number);
 
 /* The entries stand in another block now. */

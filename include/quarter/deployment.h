@@ -18,9 +18,9 @@ typedef struct {
 void qtr_deployment_home(qtr_deployment *deployment, const qtr_policy *policy);
 
 /* Seeker i at cell `starts[i]` (NULL: where the mission says), the places in `cleared` (NULL: what the mission says)
- * already scanned. On a table for any start the cells may be any free ones, and stand for their regions; on others they
- * must be start cells of the table. QTR_OK; with nothing written QTR_ERR_START for a cell that is none of them,
- * QTR_ERR_CONFIG if the caller was built under other sizes. */
+ * already scanned. On a table for any start the cells may be any free ones from which the seeker can get to a place,
+ * and stand for their regions; on others they must be start cells of the table. QTR_OK; with nothing written
+ * QTR_ERR_START for a cell that is none of them, QTR_ERR_CONFIG if the caller was built under other sizes. */
 #define qtr_deployment_init(deployment, policy, starts, cleared)                                                       \
   qtr_deployment_init_built(deployment, policy, starts, cleared, QTR_CONFIG_ID)
 int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *policy, const qtr_cell *starts,

@@ -17,6 +17,7 @@
 #include "quarter/rest.h"
 #include "quarter/robot.h"
 #include "quarter/spots.h"
+#include "quarter/start_regions.h"
 #include "quarter/start_trials.h"
 #include "quarter/travel.h"
 #include "quarter/watch.h"

@@ -88,6 +88,22 @@ static bool measure_travel(qtr_game *game, qtr_travel *travel) {
   return game->measured == game->mission->places && measure_home(game, &nodes, travel);
 }
 
+/* The same out of a board that has measured them. Later looks at a place take as long as the first. */
+static void copy_travel(qtr_game *game, const qtr_board *known, const uint16_t *place, const uint16_t *start_of) {
+  const unsigned places = game->board.places;
+  uint8_t *at = game->steps;
+  for (unsigned of_class = 0; of_class < game->mission->classes; of_class++) {
+    for (unsigned node = 0; node < places + game->board.starts; node++) {
+      const unsigned from =
+          node < places ? place[qtr_game_place(game, node)] : known->places + start_of[game->first_at[node - places]];
+      for (unsigned to = 0; to < places; to++, at += 4)
+        qtr_store32(at, qtr_board_class_steps(known, of_class, from, place[qtr_game_place(game, to)]));
+    }
+  }
+  game->used = (qtr_box){0, 0, 0, 0};
+  game->measured = game->mission->places;
+}
+
 /* Once more, over what was rounded: for the assertion alone. */
 static double sum_of_probabilities(const qtr_game *game) {
   double sum = 0.0;
@@ -268,10 +284,9 @@ static int check_starts(const qtr_mission *mission, int *culprit) {
   return QTR_OK;
 }
 
-int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_travel *travel, int *culprit,
-                        uint32_t config_id) {
-  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  int status = check_starts(mission, culprit);
+/* Everything but travel times. */
+static int begin(qtr_game *game, const qtr_mission *mission, int *culprit) {
+  const int status = check_starts(mission, culprit);
   if (status != QTR_OK) return status;
   game->mission = mission;
   game->board.seekers = mission->seekers;
@@ -281,14 +296,36 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_travel *
   find_starts(game);
   if (!list_looks(game)) return QTR_ERR_LIMIT;
   set_terms(game);
-  if (!measure_travel(game, travel)) return QTR_ERR_STOPPED;
-  for (unsigned place = 0; place < mission->places; place++) {
+  return QTR_OK;
+}
+
+/* Once there are travel times. */
+static int finish(qtr_game *game, int *culprit) {
+  for (unsigned place = 0; place < game->mission->places; place++) {
     if (qtr_game_reachable(game, place)) continue;
     if (culprit != NULL) *culprit = (int)place;
     return QTR_ERR_UNREACHABLE;
   }
-  status = check_worth(game, culprit);
+  const int status = check_worth(game, culprit);
   return status == QTR_OK ? qtr_board_init(&game->board) : status;
+}
+
+int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_travel *travel, int *culprit,
+                        uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  const int status = begin(game, mission, culprit);
+  if (status != QTR_OK) return status;
+  return measure_travel(game, travel) ? finish(game, culprit) : QTR_ERR_STOPPED;
+}
+
+int qtr_game_init_known_built(qtr_game *game, const qtr_mission *mission, const qtr_board *known, const uint16_t *place,
+                              const uint16_t *start_of, uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  const int status = begin(game, mission, NULL);
+  if (status != QTR_OK) return status;
+  if (comes_home(game)) return QTR_ERR_ARGUMENT;
+  copy_travel(game, known, place, start_of);
+  return finish(game, NULL);
 }
 
 /* ---- rewards ---- */

@@ -9,8 +9,8 @@
 #include "robot/bits.h"
 #include "robot/layout.h"
 
-/* The start that stands for a cell: its region's, or on a table without regions the start at that cell; `starts` or
- * more if there is none. */
+/* The start that stands for a cell where a seeker may set out: its region's, or on a table without regions the start at
+ * that cell; `starts` or more if there is none. */
 static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
   unsigned start = 0;
   if (qtr_grid_cost(&policy->grid, cell) == 0u) {
@@ -23,6 +23,17 @@ static unsigned start_at(const qtr_policy *policy, qtr_cell cell) {
     start++;
   }
   return start;
+}
+
+/* Whether a seeker can get to any place from a start: not where its region is cut off, or ground that it may not
+ * enter. */
+static bool is_of_use(const qtr_policy *policy, unsigned seeker, unsigned start) {
+  for (unsigned place = 0; place < policy->board.places; place++) {
+    if (qtr_board_steps(&policy->board, seeker, (unsigned)policy->board.places + start, place) != QTR_NEVER) {
+      return true;
+    }
+  }
+  return !policy->any_start;
 }
 
 /* Where the learner had this seeker start: nodes are the places, and behind them the starts. */
@@ -73,7 +84,8 @@ int qtr_deployment_init_built(qtr_deployment *deployment, const qtr_policy *poli
   }
   const bool home = are_home(policy, starts);
   for (unsigned i = 0; !home && (i < policy->board.seekers); i++) {
-    if (start_at(policy, starts[i]) >= policy->board.starts) {
+    const unsigned start = start_at(policy, starts[i]);
+    if ((start >= policy->board.starts) || !is_of_use(policy, i, start)) {
       return QTR_ERR_START;
     }
   }

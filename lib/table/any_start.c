@@ -11,19 +11,29 @@
 
 /* ---- the board of all starts ---- */
 
+/* What no board of other starts tells: ways home; and which looks are left at a place that counts as cleared. */
+static bool cannot_be_held(const qtr_any_start_asked *asked) {
+  const qtr_game *game = asked->game;
+  const bool comes_home = game->board.terms.end != NULL || game->objective.terms.home_weight > 0.0;
+  return comes_home || (asked->any_cleared && game->board.terms.look_of != NULL);
+}
+
 /* Without regions there are no crews but the mission's own: then the games differ by the places cleared alone. */
 static unsigned count_regions(const qtr_any_start_asked *asked) {
   return asked->regions != NULL ? asked->regions->count : 0;
 }
 
-/* Travel times stand as the table's own bytes, 4 each, from every node (places and starts) to every place. */
+/* Travel times stand as the table's own bytes, 4 each, from every node (places and starts) to every place, for each
+ * class. */
 int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked) {
   const qtr_mission *mission = asked->game->mission;
+  const unsigned places = asked->game->board.places;
   const uint32_t starts = count_regions(asked) + asked->game->board.starts;
+  if (cannot_be_held(asked)) return QTR_ERR_ARGUMENT;
   if (starts > QTR_MAX_STARTS) return QTR_ERR_LIMIT;
   sizes->starts = (uint16_t)starts;
   sizes->start = starts * sizeof(qtr_cell);
-  sizes->steps = 4u * ((size_t)mission->places + starts) * mission->places;
+  sizes->steps = 4u * ((size_t)places + starts) * places * mission->classes;
   sizes->region = asked->regions != NULL ? qtr_mission_cells(mission) * sizeof(uint16_t) : 0;
   return QTR_OK;
 }
@@ -47,8 +57,20 @@ static void set_regions(qtr_any_start *any) {
     any->blocks.region[cell] = mission->cost[cell] > 0 ? (uint16_t)any->asked.regions->of[cell] : QTR_POLICY_NO_REGION;
 }
 
-/* Seekers, rule and numbers of places are the mission's own board's; the starts, and so the nodes and the keys, are
- * more. */
+/* Whether a seeker that starts there can get to a place. */
+static bool reaches(const qtr_any_start *any, unsigned seeker, unsigned start, unsigned place) {
+  return qtr_board_steps(&any->board, seeker, any->board.places + start, place) != QTR_NEVER;
+}
+
+static bool is_inhabited(const qtr_any_start *any, unsigned region) {
+  for (unsigned i = 0; i < any->board.seekers; i++)
+    for (unsigned place = 0; place < any->board.places; place++)
+      if (reaches(any, i, region, place)) return true;
+  return false;
+}
+
+/* Seekers, rule, terms and numbers of places are the mission's own board's; the starts, and so the nodes and the keys,
+ * are more. */
 int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *asked, const qtr_any_start_blocks *blocks,
                              qtr_travel *travel, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
@@ -65,20 +87,34 @@ int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *aske
   any->board.steps = blocks->steps;
   set_starts(any);
   set_regions(any);
-  const qtr_matrix_nodes nodes = {mission, mission->places, NULL, blocks->start, sizes.starts};
-  const uint16_t done = qtr_matrix_fill(blocks->steps, &nodes, travel, NULL);
-  return done < mission->places ? QTR_ERR_STOPPED : qtr_board_init(&any->board);
+  const qtr_matrix_nodes nodes = {mission, any->board.places, any->board.terms.look_of, blocks->start, sizes.starts};
+  if (qtr_matrix_fill(blocks->steps, &nodes, travel, NULL) < mission->places) return QTR_ERR_STOPPED;
+  any->inhabited = any->regions;
+  while (any->inhabited > 0 && !is_inhabited(any, any->inhabited - 1u)) any->inhabited--;
+  return qtr_board_init(&any->board);
 }
 
 /* ---- how much it is ---- */
 
-/* Multisets of k regions out of n: (n + k - 1)! / (k! (n - 1)!), factor by factor, each partial product itself such a
- * number. Doubles, as they may be beyond any integer. */
-double qtr_any_start_count_crews(const qtr_any_start *any) {
+/* Seekers of one class that are ready at once may stand for one another, wherever they start. */
+static bool are_alike(const qtr_mission *mission, unsigned a, unsigned b) {
+  return mission->class_of[a] == mission->class_of[b] && mission->ready[a] == mission->ready[b];
+}
+
+/* Multisets of k regions out of n, for each kind of seekers: (n + k - 1)! / (k! (n - 1)!), factor by factor, each
+ * partial product itself such a number. Doubles, as they may be beyond any integer. */
+double qtr_any_start_crews_of(const qtr_mission *mission, unsigned regions) {
   double crews = 1.0;
-  for (unsigned i = 0; any->regions > 0 && i < any->board.seekers; i++)
-    crews *= (double)(any->regions + i) / (double)(i + 1);
+  for (unsigned i = 0; regions > 0 && i < mission->seekers; i++) {
+    unsigned before = 0;
+    for (unsigned j = 0; j < i; j++) before += are_alike(mission, i, j);
+    crews *= (double)(regions + before) / (double)(before + 1);
+  }
   return crews;
+}
+
+double qtr_any_start_count_crews(const qtr_any_start *any) {
+  return qtr_any_start_crews_of(any->asked.game->mission, any->inhabited);
 }
 
 /* Every set but that of all places. */
@@ -114,13 +150,20 @@ static bool next_cleared(qtr_any_start *any) {
   return place < places && left > 0;
 }
 
-/* The next crew in the order of the regions, each seeker's region no lower than the one's before it. */
+/* The region of the last alike seeker before one. */
+static uint16_t least_region(const qtr_any_start *any, unsigned seeker) {
+  for (unsigned j = seeker; j-- > 0;)
+    if (are_alike(any->asked.game->mission, seeker, j)) return any->start_of[j];
+  return 0;
+}
+
+/* The next crew in the order of the regions, each seeker's region no lower than that of an alike one before it. */
 static bool next_crew(qtr_any_start *any) {
   unsigned i = any->board.seekers;
-  while (i > 0 && any->start_of[i - 1] + 1 == any->regions) i--;
+  while (i > 0 && any->start_of[i - 1] + 1 == any->inhabited) i--;
   if (i == 0) return false;
-  const uint16_t region = (uint16_t)(any->start_of[i - 1] + 1);
-  for (unsigned j = i - 1; j < any->board.seekers; j++) any->start_of[j] = region;
+  any->start_of[i - 1]++;
+  for (unsigned j = i; j < any->board.seekers; j++) any->start_of[j] = least_region(any, j);
   return true;
 }
 
@@ -138,7 +181,7 @@ bool qtr_any_start_next(qtr_any_start *any) {
   any->is_whole = false;
   if (any->asked.any_cleared && next_cleared(any)) return true;
   qtr_places_clear(&any->cleared);
-  if (any->regions == 0) return false;
+  if (any->inhabited == 0) return false;
   if (!any->is_own) {
     any->crews += 1.0;
     return next_crew(any);
@@ -148,11 +191,40 @@ bool qtr_any_start_next(qtr_any_start *any) {
   return true;
 }
 
+/* Places that the crew has no way to, beside those cleared. */
+static void leave_out(const qtr_any_start *any, qtr_places *out) {
+  *out = any->cleared;
+  for (unsigned place = 0; place < any->asked.game->mission->places; place++) {
+    bool in_reach = false;
+    for (unsigned i = 0; i < any->board.seekers; i++) in_reach = in_reach || reaches(any, i, any->start_of[i], place);
+    if (!in_reach) qtr_places_add(out, place);
+  }
+}
+
+/* Later looks come in the order of the whole mission's, without those at places left out. */
+static void number_looks(const qtr_any_start *any, uint16_t *number, unsigned places, const qtr_places *out) {
+  const qtr_game *game = any->asked.game;
+  for (uint16_t look = game->mission->places; look < game->board.places; look++)
+    if (!qtr_places_has(out, qtr_game_place(game, look))) number[places++] = look;
+}
+
 /* From the representatives' cells: a table for any start knows no nearer where its robots will be. */
-void qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *number) {
+bool qtr_any_start_rest(const qtr_any_start *any, qtr_mission *rest, uint16_t *number) {
   qtr_cell start[QTR_MAX_SEEKERS];
+  qtr_places out;
+  unsigned left = 0;
+  leave_out(any, &out);
+  for (unsigned place = 0; place < any->asked.game->mission->places; place++) left += !qtr_places_has(&out, place);
+  if (left == 0) return false;
   for (unsigned i = 0; i < any->board.seekers; i++) start[i] = any->blocks.start[any->start_of[i]];
-  qtr_rest_make(rest, number, any->asked.game->mission, start, &any->cleared);
+  qtr_rest_make(rest, number, any->asked.game->mission, start, &out);
+  number_looks(any, number, rest->places, &out);
+  return true;
+}
+
+int qtr_any_start_game(const qtr_any_start *any, qtr_game *game, qtr_mission *rest, uint16_t *number) {
+  if (!qtr_any_start_rest(any, rest, number)) return QTR_ERR_UNREACHABLE;
+  return qtr_rest_game_known(game, rest, &any->board, number, any->start_of);
 }
 
 /* ---- entries: a record, and behind it its rank; among entries of one state the lowest rank stays ---- */
@@ -287,6 +359,7 @@ qtr_table_content qtr_any_start_content(const qtr_any_start *any, const qtr_cert
                                      .records = any->blocks.entries,
                                      .record_count = any->count,
                                      .certificate = certificate,
-                                     .seed = seed};
+                                     .seed = seed,
+                                     .terms = &game->objective.terms};
   return content;
 }

@@ -34,11 +34,21 @@ void qtr_rest_make(qtr_mission *rest, uint16_t *number, const qtr_mission *whole
   memcpy(rest->start, start, whole->seekers * sizeof *start);
 }
 
-/* One game that cannot be told by discounting must not end the making of a table for all others. The least expected
- * time is what a discount tends to as it comes near 1. */
+/* One game that cannot be told by its objective must not end the making of a table for all others. The least expected
+ * time is what a discount tends to as it comes near 1, and what comes soonest after a deadline. */
+static bool gives_way(int status, qtr_mission *rest) {
+  if (status != QTR_ERR_DISCOUNT && (status != QTR_ERR_HORIZON || rest->aim.kind != QTR_DEADLINE)) return false;
+  qtr_aim_undiscount(&rest->aim);
+  return true;
+}
+
 int qtr_rest_game(qtr_game *game, qtr_mission *rest, qtr_travel *travel) {
   const int status = qtr_game_init(game, rest, travel, NULL);
-  if (status != QTR_ERR_DISCOUNT) return status;
-  qtr_aim_undiscount(&rest->aim);
-  return qtr_game_init(game, rest, travel, NULL);
+  return gives_way(status, rest) ? qtr_game_init(game, rest, travel, NULL) : status;
+}
+
+int qtr_rest_game_known(qtr_game *game, qtr_mission *rest, const qtr_board *known, const uint16_t *place,
+                        const uint16_t *start_of) {
+  const int status = qtr_game_init_known(game, rest, known, place, start_of);
+  return gives_way(status, rest) ? qtr_game_init_known(game, rest, known, place, start_of) : status;
 }

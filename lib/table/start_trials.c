@@ -47,7 +47,7 @@ static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *dep
   for (unsigned place = 0; place < policy->board.places; place++) visit[place] = QTR_NEVER;
   for (unsigned i = 0; i < policy->board.seekers; i++) {
     unsigned node = (unsigned)policy->board.places + game->board.start_of[i];
-    qtr_steps now = 0;
+    qtr_steps now = qtr_board_ready(&game->board, i);
     qtr_joint joint;
     uint16_t place;
     qtr_joint_start(&joint, &policy->board, deployment->start_of, NULL);

@@ -254,12 +254,13 @@ static void test_no_robot_is_off_the_table_wherever_it_starts_and_whatever_is_cl
   expect_all_on_table(true);
 }
 
-/* Robots of either part of the map, and crews that leave some place out of all reach, which no game is learnt for. */
-static void test_part_of_the_map_that_a_crew_cannot_reach_is_no_game(void) {
+/* Crews of one part of the map alone play for its place. */
+static void test_part_of_the_map_that_a_crew_cannot_reach_is_left_out(void) {
   mission_draw(&mission, "1.S#S.2");
   make_all(1, false);
   TEST_ASSERT_EQUAL_UINT(6, any.regions);
-  TEST_ASSERT_EQUAL_UINT64(1 + 9, any.games); /* one of the left three and one of the right three */
+  TEST_ASSERT_EQUAL_UINT64(1 + 21, any.games);
+  expect_all_on_table(false);
 }
 
 /* From home the mission's own play, to the last step, though a region's crew meets its states too. */
@@ -402,7 +403,7 @@ int main(void) {
   RUN_TEST(test_rest_has_the_places_that_are_left_and_starts_where_the_crew_does);
   RUN_TEST(test_rest_too_far_away_to_discount_is_played_for_time);
   RUN_TEST(test_no_robot_is_off_the_table_wherever_it_starts_and_whatever_is_cleared);
-  RUN_TEST(test_part_of_the_map_that_a_crew_cannot_reach_is_no_game);
+  RUN_TEST(test_part_of_the_map_that_a_crew_cannot_reach_is_left_out);
   RUN_TEST(test_mission_itself_is_played_as_certified);
   RUN_TEST(test_in_a_state_of_several_games_the_own_one_decides);
   RUN_TEST(test_game_without_room_is_recorded_once_there_is);

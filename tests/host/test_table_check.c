@@ -140,7 +140,7 @@ static void test_value_that_the_routes_do_not_earn_is_refused(void) {
 
 static void learn_any_start(const char *drawing) {
   write_file("map.txt", drawing);
-  run_tool(&result, "learn map.txt --starts any --region-size 4 -q -o any.qtr");
+  run_tool(&result, "learn map.txt --starts any --start-regions 4 -q -o any.qtr");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
   FILE *file = fopen("any.qtr", "rb");
   TEST_ASSERT_NOT_NULL(file);

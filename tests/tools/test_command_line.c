@@ -74,17 +74,16 @@ static void test_what_needs_no_memory_runs_in_50_megabytes(void) {
 /* What a mission takes goes by the mission, not by the largest that the build holds. */
 static void test_small_mission_runs_in_100_megabytes(void) {
   need_no_sanitizer();
-  static const char *const lines[] = {
-      "learn 30.txt -q --robots 16 -o 30.qtr",
-      "learn 30.txt -q --aggregate spots --objective time --gap 1e-9",
-      "learn 30.txt -q --learner paper --aggregate both --episodes 200",
-      "learn 30.txt -q --cleared any --starts any --region-size 255 --region-diameter 60",
-      "tune 30.txt -q --learner paper --episodes 5",
-      "draw 30.txt --regions --spots -o 30.svg",
-      "draw 30.qtr -o 30.svg",
-      "exact 30.txt --robots 2",
-      "simulate 30.qtr",
-      "inspect 30.qtr"};
+  static const char *const lines[] = {"learn 30.txt -q --robots 16 -o 30.qtr",
+                                      "learn 30.txt -q --aggregate spots --objective time --gap 1e-9",
+                                      "learn 30.txt -q --learner paper --aggregate both --episodes 200",
+                                      "learn 30.txt -q --cleared any --starts any --start-regions 2",
+                                      "tune 30.txt -q --learner paper --episodes 5",
+                                      "draw 30.txt --regions --spots -o 30.svg",
+                                      "draw 30.qtr -o 30.svg",
+                                      "exact 30.txt --robots 2",
+                                      "simulate 30.qtr",
+                                      "inspect 30.qtr"};
   write_square("30.txt", 30);
   for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
     char line[200];

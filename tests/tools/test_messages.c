@@ -91,8 +91,8 @@ static void test_slips_on_the_command_line(void) {
 }
 
 static void test_a_table_too_large_is_met_with_what_helps(void) {
-  expect_refusal("learn a.txt --starts any --table-limit 0.001 --robots 6 --region-size 1 -o t.qtr", "a.txt",
-                 "the table would take", "make the regions larger");
+  expect_refusal("learn a.txt --starts any --table-limit 0.001 --robots 6 --start-regions 9 -o t.qtr", "a.txt",
+                 "the table would take", "take fewer regions with --start-regions");
   write_file("many.txt", "S111111111111111\n");
   expect_refusal("learn many.txt --cleared any --table-limit 0.01 -o t.qtr", "many.txt", "the table would take",
                  "list fewer places");

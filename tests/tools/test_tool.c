@@ -233,7 +233,7 @@ static void test_tuning_finds_what_loses_nothing_and_keeps_to_a_budget(void) {
 }
 
 static void test_a_table_for_any_start_answers_everywhere(void) {
-  run_tool(&result, "learn small.txt --robots 2 --starts any --region-size 4 --region-diameter 3 -o t.qtr --json");
+  run_tool(&result, "learn small.txt --robots 2 --starts any --start-regions 4 -o t.qtr --json");
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, result.status, result.err);
   TEST_ASSERT_EQUAL_DOUBLE(100.0, json_value(result.out, "trials"));
   TEST_ASSERT_TRUE(json_value(result.out, "worst_loss") >= 0.0);
@@ -261,7 +261,7 @@ static void test_a_table_for_any_progress_resumes_on_the_table(void) {
 }
 
 static void test_a_table_too_large_is_refused_with_its_size(void) {
-  run_tool(&result, "learn " MANY " --robots 4 --starts any --cleared any -o t.qtr");
+  run_tool(&result, "learn " MANY " --robots 4 --starts any --start-regions 20 --cleared any -o t.qtr");
   expect_refusal("--table-limit", "MB");
   TEST_ASSERT_FALSE(exists("t.qtr"));
 }

@@ -232,7 +232,7 @@ def oscillation(lab, pictures):
 
 def anywhere(lab, pictures):
     """One table for any start, and one for any progress."""
-    started = lab.learn("fig53", "--starts", "any", "--table-limit", 16)
+    started = lab.learn("fig53", "--starts", "any", "--start-regions", 30)
     cleared = lab.learn("fig43f", "--cleared", "any", "--table-limit", 16)
     mission = lab.learn("fig53")
     return {"starts": started["anywhere"] | {"bytes": started["table_bytes"], "states": started["table_records"]},

@@ -1,5 +1,6 @@
 #include "host/base/stop.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stddef.h>
 #include <string.h>
@@ -11,7 +12,7 @@
 
 static volatile sig_atomic_t interrupted; /* the signal's number */
 static volatile sig_atomic_t late;        /* the limit has passed */
-static double begin;
+static double begin, limit;               /* seconds since; 0: none */
 
 static void end(int number) {
   outfile_abort_all();
@@ -62,6 +63,7 @@ void stop_begin(void) {
 
 /* A timer, and not the clock looked at: the core asks millions of times a second. */
 void stop_after(double seconds) {
+  limit = seconds;
   const double left = seconds - stop_seconds();
   struct itimerval timer;
   memset(&timer, 0, sizeof timer);
@@ -89,6 +91,10 @@ qtr_watch stop_watch(void) {
 
 double stop_seconds(void) {
   return clock_seconds() - begin;
+}
+
+double stop_left(void) {
+  return limit > 0.0 ? limit - stop_seconds() : HUGE_VAL;
 }
 
 int stop_signal(void) {

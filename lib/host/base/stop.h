@@ -28,6 +28,9 @@ qtr_watch stop_watch(void);
 /* Seconds since stop_begin(). */
 double stop_seconds(void);
 
+/* Seconds until the time limit; HUGE_VAL if there is none. */
+double stop_left(void);
+
 /* The number of the signal that came; 0: none. */
 int stop_signal(void);
 

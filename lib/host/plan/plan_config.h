@@ -21,8 +21,9 @@ typedef struct {
   qtr_learner_config learner;
   aggregate_config aggregate; /* what the learner plays on, beside the true map */
   bool any_starts;            /* the table is to answer for starts in any region, */
+  uint32_t start_regions;     /* of so many at most; 0: as many as the limits allow */
   bool any_cleared;           /* for any set of places cleared beforehand, */
-  double table_limit;         /* and may then take so many megabytes; more is refused before it is learnt */
+  double table_limit;         /* and may then take so many megabytes; what takes more is refused before it is learnt */
   bool quiet;                 /* no progress on the terminal */
 } plan_config;
 

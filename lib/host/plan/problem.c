@@ -31,11 +31,17 @@ static void override(input *in, const plan_config *config) {
 /* What a mission's terms leave no room for. */
 static int check_terms(const input *in, const plan_config *config, fault *why) {
   const qtr_mission *mission = &in->mission;
-  if ((config->any_starts || config->any_cleared) && terms_depend_on_start(mission))
+  if (config->any_cleared && terms_depend_on_progress(mission))
     return fault_set(why,
-                     "%s: --starts any and --cleared any take no classes, looks, ready times, endurance, deadline or "
-                     "home_weight yet; leave them out",
+                     "%s: --cleared any takes no classes, looks, ready times, endurance, deadline or home_weight yet; "
+                     "leave them out",
                      in->path);
+  if (config->any_starts && terms_come_home(mission))
+    return fault_set(
+        why,
+        "%s: --starts any takes no endurance and no home_weight: robots that must come home have other ways "
+        "there from each start; leave them out",
+        in->path);
   if (config->aggregate.way == AGGREGATE_NONE) return 0;
   if (aggregate_by_regions(config->aggregate.way) ? terms_any(mission) : terms_leave_no_spots(mission))
     return fault_set(why,

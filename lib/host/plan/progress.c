@@ -53,6 +53,18 @@ void progress_show(progress *p, const qtr_certificate *certificate, double secon
   p->mark_episodes = certificate->episodes;
 }
 
+void progress_count(progress *p, const char *what, double done, double all, double seconds) {
+  if (done <= 1.0) p->mark = seconds;
+  if (!p->shown || seconds - p->last < REDRAW_SECONDS) return;
+  char text[32];
+  double left = done > 1.0 ? (seconds - p->mark) / (done - 1.0) * (all - done) : -1.0;
+  if (p->time_limit > 0.0 && (left < 0.0 || left > p->time_limit - seconds)) left = p->time_limit - seconds;
+  write_left(text, sizeof text, left);
+  fprintf(stderr, "\r\033[K%.1f s  %s: %.0f of %.0f  left %s", seconds, what, done, all, text);
+  fflush(stderr);
+  p->last = seconds;
+}
+
 void progress_end(progress *p) {
   if (p->shown && p->last > 0.0) fprintf(stderr, "\r\033[K");
 }

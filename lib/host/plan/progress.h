@@ -23,6 +23,9 @@ void progress_begin(progress *p, bool quiet, double time_limit, double gap);
 /* Draw the line anew if it is time to. `seconds` since the search began. */
 void progress_show(progress *p, const qtr_certificate *certificate, double seconds);
 
+/* The same for work that is counted: "what: done of all", and the seconds left at the rate since it began. */
+void progress_count(progress *p, const char *what, double done, double all, double seconds);
+
 /* Wipe the line. */
 void progress_end(progress *p);
 

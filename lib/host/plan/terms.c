@@ -181,13 +181,18 @@ static bool misses(const qtr_mission *mission) {
   return false;
 }
 
-bool terms_depend_on_start(const qtr_mission *mission) {
+bool terms_depend_on_progress(const qtr_mission *mission) {
   return terms_leave_no_spots(mission) || mission->aim.kind == QTR_DEADLINE;
 }
 
+bool terms_come_home(const qtr_mission *mission) {
+  for (unsigned i = 0; i < mission->classes; i++)
+    if (mission->robot_class[i].endurance != QTR_NEVER) return true;
+  return mission->aim.home_weight > 0.0;
+}
+
 bool terms_leave_no_spots(const qtr_mission *mission) {
-  if (mission->classes > 1 || mission->robot_class[0].endurance != QTR_NEVER) return true;
-  if (mission->aim.home_weight > 0.0) return true;
+  if (mission->classes > 1 || terms_come_home(mission)) return true;
   for (int i = 0; i < mission->seekers; i++)
     if (mission->ready[i] > 0) return true;
   for (int place = 0; place < mission->places; place++)
@@ -203,6 +208,6 @@ static bool avoids(const qtr_mission *mission) {
 
 bool terms_any(const qtr_mission *mission) {
   const qtr_robot_class *all = &mission->robot_class[0];
-  return terms_depend_on_start(mission) || takes_scans(mission) || misses(mission) || all->smooth_only ||
+  return terms_depend_on_progress(mission) || takes_scans(mission) || misses(mission) || all->smooth_only ||
          all->cell_steps > 1 || avoids(mission);
 }

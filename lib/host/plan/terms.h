@@ -10,10 +10,13 @@
  * a user should know is noted. 0, or -1 with *why set. */
 int terms_apply(input *in, pace *p, fault *why);
 
-/* Whether a mission has any of the field's terms; and whether they leave out what tables for other starts or progress
- * than the mission's would need to know: they take one class, one look, and neither ready times nor ends. */
+/* Whether a mission has any of the field's terms. */
 bool terms_any(const qtr_mission *mission);
-bool terms_depend_on_start(const qtr_mission *mission);
+
+/* Whether they ask what a table for any progress does not know: it takes one class, one look, and neither ready times
+ * nor ends; or what one for any start does not: the ways home. */
+bool terms_depend_on_progress(const qtr_mission *mission);
+bool terms_come_home(const qtr_mission *mission);
 
 /* Whether it has terms that spots cannot take: they take scan times and a deadline. */
 bool terms_leave_no_spots(const qtr_mission *mission);

@@ -78,15 +78,19 @@ static int check_times_to(const qtr_policy *policy, const qtr_field *field, cons
   return 0;
 }
 
-/* A cell's region stands in for it: what one reaches the other must. */
-static int check_regions_to(const qtr_policy *policy, const qtr_field *field, unsigned place, const char *path,
-                            fault *why) {
-  const uint32_t cells = policy->any_start ? qtr_grid_cells(&policy->grid) : 0;
+/* A cell's region stands in for it: what one reaches the other must. `field` as for the times; NULL: the class reaches
+ * the place from nowhere. */
+static int check_regions_to(const qtr_policy *policy, const qtr_field *field, const qtr_grid *grid, unsigned of_class,
+                            unsigned place, const char *path, fault *why) {
+  const uint32_t cells = policy->any_start ? qtr_grid_cells(grid) : 0;
+  const bool avoided = qtr_board_class_steps(&policy->board, of_class, place, place) == QTR_NEVER;
   for (uint32_t cell = 0; cell < cells; cell++) {
     if (qtr_grid_cost(&policy->grid, (qtr_cell)cell) == 0) continue;
     const unsigned start = qtr_policy_region(policy, (qtr_cell)cell);
-    const qtr_steps from_start = qtr_board_class_steps(&policy->board, 0, policy->board.places + start, place);
-    if ((from_start == QTR_NEVER) == (qtr_field_next(field, &policy->grid, (qtr_cell)cell) == QTR_NO_CELL)) continue;
+    const qtr_steps from_start = qtr_board_class_steps(&policy->board, of_class, policy->board.places + start, place);
+    const bool enters = !avoided && field != NULL && qtr_grid_cost(grid, (qtr_cell)cell) > 0;
+    const bool has_way = enters && qtr_field_next(field, grid, (qtr_cell)cell) != QTR_NO_CELL;
+    if ((from_start != QTR_NEVER) == has_way) continue;
     return fault_set(
         why, "%s: its regions are not its map's: the cell at column %u, row %u is cut off from its region; " MEND, path,
         (unsigned)(cell % policy->grid.columns), (unsigned)(cell / policy->grid.columns));
@@ -101,17 +105,15 @@ static int check_class(const qtr_policy *policy, qtr_field *field, unsigned of_c
   if (seeker < 0) return 0;
   const qtr_grid grid = qtr_policy_ground(policy, (unsigned)seeker);
   const bool enters = qtr_field_fill(field, &grid, qtr_policy_cell(policy, place)) == QTR_OK;
-  return check_times_to(policy, enters ? field : NULL, &grid, of_class, place, path, why);
+  const int status = check_times_to(policy, enters ? field : NULL, &grid, of_class, place, path, why);
+  return status == 0 ? check_regions_to(policy, enters ? field : NULL, &grid, of_class, place, path, why) : status;
 }
 
 static int check_place(const qtr_policy *policy, qtr_field *field, unsigned place, const char *path, fault *why) {
   int status = 0;
   for (unsigned of_class = 0; of_class < qtr_board_classes(&policy->board) && status == 0; of_class++)
     status = check_class(policy, field, of_class, place, path, why);
-  if (status != 0 || !policy->any_start) return status;
-  if (qtr_field_fill(field, &policy->grid, qtr_policy_cell(policy, place)) != QTR_OK)
-    return fault_set(why, "%s: place %u cannot be entered; " MEND, path, place);
-  return check_regions_to(policy, field, place, path, why);
+  return status;
 }
 
 /* The ways home of a seeker, where the table has them. */
