@@ -137,17 +137,21 @@
 
 #define QTR_QTABLE_LEAST_WORDS 1024 /* that a table can begin with */
 
-/* Learner: time slots of the price bound. A mission whose search takes more steps is bounded in slots of several
- * steps, which stays valid and is less tight. Memory: 24 bytes for every slot and place. */
+/* Learner: time slots of the price bound. A mission whose search takes more steps is bounded in slots of several steps,
+ * which stays valid and is less tight; what is left of the slots goes into what routes remember. Memory: 24 bytes for
+ * every slot and place. */
 #ifndef QTR_BOUND_SLOTS
 #if defined(QTR_PROFILE_TINY)
-#define QTR_BOUND_SLOTS 24
+#define QTR_BOUND_SLOTS 18
 #elif defined(QTR_PROFILE_MCU)
 #define QTR_BOUND_SLOTS 256
 #else
 #define QTR_BOUND_SLOTS 4096
 #endif
 #endif
+
+/* Learner: what is known at a time of the bound as a function of its prices. */
+#define QTR_MAX_CUTS (QTR_MAX_PLACES < 64 ? QTR_MAX_PLACES + 1 : 64)
 
 /* Learner: powers of gamma that are kept ready, 8 bytes each; later ones are computed, which takes longer. Other sizes
  * may differ in the last bit of what is discounted. */

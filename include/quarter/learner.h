@@ -89,7 +89,7 @@ typedef struct {
   uint64_t updates;     /* of Q entries that changed them */
   double max_q;         /* largest Q of the first state, in units of reward (MaxQ of Fig. 4.5); certified: its least
                             so far, a bound on every policy of what is learnt on */
-  uint32_t price_steps; /* subgradient steps of the bound */
+  uint32_t price_steps; /* steps of the bound's prices */
 } qtr_certificate;
 
 /* ---- memory ---- */
@@ -116,9 +116,9 @@ size_t qtr_learner_bytes(const qtr_game *game);
 #define QTR_LEARNER_BYTES                                                                                              \
   (2 * sizeof(qtr_play) + 2 * sizeof(qtr_routes) + QTR_RECREATION_BYTES +                                              \
    QTR_MAX_CHOICES * (sizeof(qtr_key) + QTR_RECORD_BYTES + 64) +                                                       \
-   (size_t)QTR_MAX_PLACES *                                                                                            \
-       (sizeof(qtr_key) + 64 + QTR_MAX_CLASSES * (8 + 4 * (QTR_MAX_NODES + QTR_MAX_PLACES) + 24 * QTR_BOUND_SLOTS)) +  \
-   1024)
+   (size_t)QTR_MAX_PLACES * (sizeof(qtr_key) + 88 + QTR_MAX_PLACES + 6 * QTR_MAX_CUTS +                                \
+                             QTR_MAX_CLASSES * (4 * QTR_MAX_NODES + 12 * QTR_MAX_PLACES + 24 * QTR_BOUND_SLOTS)) +     \
+   16 * QTR_MAX_CUTS + 1024)
 
 /* All blocks for any mission of the build; large, keep it in static storage. Who never learns on an aggregate, or on
  * none with regions, declares smaller ones by the same sizes. */

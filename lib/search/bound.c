@@ -7,10 +7,13 @@
 #include "quarter/status.h"
 #include "robot/board.h"
 
-#define SCALE_FIRST 2.0 /* of Polyak's step; 2 is the most for which it converges */
-#define SCALE_LEAST 0.005
-#define SCALE_SHRINK 0.7
-#define PATIENCE 12u /* steps without gain before the scale shrinks */
+#define LEVEL 0.5        /* of the way from the bound to its floor is what a step aims at */
+#define LEVELS 8u        /* that are tried for a step */
+#define LEAST_DROP 0.01  /* of what there is between the bound and the goal: a step that aims at less is none */
+#define LEAST_SHARE 1e-7 /* of the bound itself */
+#define PATIENCE 30u     /* steps in a row that may gain less than the least drop */
+#define ALWAYS_ROUNDS 3u /* of neighbours, which the search among states gains by; more of them */
+#define LEAST_GAIN 0.3   /* where the last one took so much off between the bound and the goal */
 
 static unsigned places_of(const qtr_bound *bound) {
   return bound->game->board.places;
@@ -18,6 +21,13 @@ static unsigned places_of(const qtr_bound *bound) {
 
 static unsigned targets_of(const qtr_bound *bound) {
   return bound->environment->targets.count;
+}
+
+static bool fill(qtr_bound *bound, const double *price) {
+  /* A play that leaves a target out saves its price: that must not lose it anything. */
+  for (unsigned target = 0; target < targets_of(bound); target++)
+    QTR_ASSERT(price[target] >= 0.0 || qtr_objective_needs_all(&bound->game->objective));
+  return qtr_gains_fill(&bound->gains, price);
 }
 
 /* The bound under `price`, HUGE_VAL if stopped; adds up how often the seekers' best walks visit each target.
@@ -29,10 +39,8 @@ static unsigned targets_of(const qtr_bound *bound) {
 static double evaluate(qtr_bound *bound, const double *price, int *visits) {
   const qtr_board *board = &bound->game->board;
   double upper = qtr_objective_left(&bound->game->objective, 1.0);
-  if (!qtr_gains_fill(&bound->gains, price)) return HUGE_VAL;
+  if (!fill(bound, price)) return HUGE_VAL;
   for (unsigned target = 0; target < targets_of(bound); target++) {
-    /* A play that leaves a target out saves its price: that must not lose it anything. */
-    QTR_ASSERT(price[target] >= 0.0 || qtr_objective_needs_all(&bound->game->objective));
     upper += price[target];
     visits[target] = 0;
   }
@@ -41,11 +49,6 @@ static double evaluate(qtr_bound *bound, const double *price, int *visits) {
 }
 
 /* ---- prices ---- */
-
-/* Subgradient steps wander off: back to where the bound was least, to go on by shorter ones. */
-static void restart_from_best(qtr_bound *bound) {
-  for (unsigned target = 0; target < targets_of(bound); target++) bound->trial[target] = bound->price[target];
-}
 
 /* The prices that the targets would fetch in a known play: under them its own routes collect 0 net, which is a start to
  * tune from. Returns the last visit, which the horizon goes by. */
@@ -80,6 +83,32 @@ static double upper_at_once(const qtr_bound *bound) {
   return upper;
 }
 
+/* L's slope: 1 - visits with each price. A cut says what L is at least, by what it was at the prices on trial; what it
+ * says of the prices in force is `step` before that. */
+static void add_cut(qtr_bound *bound, double upper, const int *visits, const double *step) {
+  int16_t slope[QTR_MAX_PLACES];
+  double at_center = upper;
+  for (unsigned target = 0; target < targets_of(bound); target++) {
+    slope[target] = (int16_t)(1 - visits[target]);
+    at_center -= (double)slope[target] * step[target];
+  }
+  qtr_bundle_add(&bound->bundle, at_center, slope);
+}
+
+/* The first cut, at the prices in force. False: stopped. */
+static bool begin_cuts(qtr_bound *bound) {
+  const double step[QTR_MAX_PLACES] = {0.0};
+  int visits[QTR_MAX_PLACES];
+  bound->floor = -HUGE_VAL;
+  bound->steps_without_gain = 0;
+  qtr_bundle_init(&bound->bundle, targets_of(bound));
+  const double upper = evaluate(bound, bound->price, visits);
+  if (upper == HUGE_VAL) return false;
+  add_cut(bound, upper, visits, step);
+  if (upper < bound->upper) bound->upper = upper;
+  return true;
+}
+
 /* Whether the targets divide the places among themselves. */
 static bool are_division(const qtr_targets *targets, unsigned places) {
   unsigned listed = 0;
@@ -90,64 +119,80 @@ static bool are_division(const qtr_targets *targets, unsigned places) {
 }
 
 void qtr_bound_init(qtr_bound *bound, void *block, const qtr_environment *environment, const qtr_steps *visit) {
-  int visits[QTR_MAX_PLACES];
   /* Every visit belongs to one target, whose price its seeker pays once. */
   QTR_ASSERT(are_division(&environment->targets, environment->game->board.places));
   bound->environment = environment;
   bound->game = environment->game;
   qtr_gains_init(&bound->gains, block, environment);
   qtr_gains_cut(&bound->gains, price_by_visits(bound, visit));
-  bound->scale = SCALE_FIRST;
   bound->iterations = 0;
-  bound->steps_without_gain = 0;
-  restart_from_best(bound);
-  bound->upper = evaluate(bound, bound->price, visits);
-  if (bound->upper == HUGE_VAL) bound->upper = upper_at_once(bound);
+  bound->rounds = 1;
+  bound->upper = bound->upper_before = HUGE_VAL;
+  if (!begin_cuts(bound)) bound->upper = upper_at_once(bound);
 }
 
-static void keep_trial(qtr_bound *bound, double upper) {
+/* The next prices are to bring the bound down to the goal, as long as the cuts allow that, then half the way to its
+ * floor, the least level that they are not known to rule out. False: there is next to nothing left between the two. */
+static bool find_step(qtr_bound *bound, double goal, double *step) {
+  const double all = bound->upper - goal;
+  if (all <= LEAST_SHARE * fabs(goal)) return false;
+  if (bound->floor <= goal) {
+    bound->floor = goal;
+    if (qtr_bundle_step(&bound->bundle, goal, LEAST_DROP * all, step)) return true;
+    bound->floor += LEAST_DROP * all;
+  }
+  for (unsigned i = 0; i < LEVELS; i++) {
+    const double drop = LEVEL * (bound->upper - bound->floor);
+    if (drop <= LEAST_DROP * all || drop <= LEAST_SHARE * fabs(goal)) return false;
+    if (qtr_bundle_step(&bound->bundle, bound->upper - drop, 0.5 * drop, step)) return true;
+    bound->floor = bound->upper - drop;
+  }
+  return false;
+}
+
+static void put_on_trial(qtr_bound *bound, double *step) {
+  const bool either_sign = qtr_objective_needs_all(&bound->game->objective);
+  for (unsigned target = 0; target < targets_of(bound); target++) {
+    const double price = bound->price[target] + step[target];
+    bound->trial[target] = price < 0.0 && !either_sign ? 0.0 : price;
+    step[target] = bound->trial[target] - bound->price[target];
+  }
+}
+
+static void keep_trial(qtr_bound *bound, double upper, const double *step) {
   bound->upper = upper;
   for (unsigned target = 0; target < targets_of(bound); target++) bound->price[target] = bound->trial[target];
+  qtr_bundle_move(&bound->bundle, step);
 }
 
-/* Polyak's step: as far as would reach the goal if the bound fell on as it falls here. L is convex and piecewise linear
- * in lambda, and g = 1 - visits is a subgradient: were the goal its least value, lambda - scale (L - goal) / |g|^2 g
- * would be nearer to where that is, for a scale below 2. With g = 0 the walks are a play, and L but for what slots add
- * what it earns. */
-static bool move_trial(qtr_bound *bound, double upper, double goal, const int *visits) {
-  double square = 0.0;
-  for (unsigned target = 0; target < targets_of(bound); target++)
-    square += (double)((visits[target] - 1) * (visits[target] - 1));
-  if (square == 0.0) return false;
-  const double step = bound->scale * (upper - goal) / square;
-  for (unsigned target = 0; target < targets_of(bound); target++) {
-    bound->trial[target] += step * (double)(visits[target] - 1);
-    if (bound->trial[target] < 0.0 && !qtr_objective_needs_all(&bound->game->objective)) bound->trial[target] = 0.0;
-  }
-  return true;
+/* Where prices do no more, walks are to remember more. Under the same prices the bound is then no higher; the cuts are
+ * void, for what they say is of the old one. */
+static bool remember_more(qtr_bound *bound, double goal) {
+  const bool gained = bound->upper - goal < (1.0 - LEAST_GAIN) * (bound->upper_before - goal);
+  if (bound->upper <= goal || (bound->rounds >= ALWAYS_ROUNDS && !gained)) return false;
+  if (!qtr_gains_remember_more(&bound->gains)) return false;
+  bound->rounds++;
+  bound->upper_before = bound->upper;
+  return begin_cuts(bound);
 }
 
 bool qtr_bound_improve(qtr_bound *bound, double goal) {
+  double step[QTR_MAX_PLACES];
   int visits[QTR_MAX_PLACES];
+  if (bound->steps_without_gain == PATIENCE || !find_step(bound, goal, step)) return remember_more(bound, goal);
+  put_on_trial(bound, step);
   const double upper = evaluate(bound, bound->trial, visits);
   if (upper == HUGE_VAL) return true;
   bound->iterations++;
-  /* Less than a thousandth of the way to the goal is no gain: or the steps would never end. */
-  const bool gained = upper < bound->upper - 1e-3 * (bound->upper - goal);
-  if (upper < bound->upper) keep_trial(bound, upper);
-  if (gained) {
-    bound->steps_without_gain = 0;
-  } else if (++bound->steps_without_gain >= PATIENCE) {
-    bound->steps_without_gain = 0;
-    bound->scale *= SCALE_SHRINK;
-    restart_from_best(bound);
-    if (evaluate(bound, bound->trial, visits) == HUGE_VAL) return true;
-  }
-  return upper > goal && bound->scale >= SCALE_LEAST && move_trial(bound, upper, goal, visits);
+  bound->steps_without_gain++;
+  if (upper < bound->upper - LEAST_DROP * (bound->upper - goal)) bound->steps_without_gain = 0;
+  add_cut(bound, upper, visits, step);
+  if (upper < bound->upper) keep_trial(bound, upper, step);
+  return bound->upper > goal;
 }
 
 bool qtr_bound_settle(qtr_bound *bound) {
-  return qtr_gains_fill(&bound->gains, bound->price);
+  return fill(bound, bound->price);
 }
 
 /* ---- states ---- */
@@ -160,19 +205,18 @@ static inline bool is_free(const qtr_situation *after, unsigned target) {
 
 /* The most that one seeker can collect from its next free moment on, its first step going to a free target. Further
  * ones are not checked: C knows no state. */
-static double collect_on(const qtr_bound *bound, const qtr_situation *after, unsigned seeker) {
+static double collect_on(const qtr_bound *bound, const qtr_situation *after, unsigned seeker,
+                         const qtr_memory *memory) {
   const unsigned kind = bound->gains.kind_of[seeker];
   const unsigned node = qtr_environment_exit(bound->environment, after, seeker);
   const qtr_steps when = after->joint.now + after->joint.remaining[seeker];
   const qtr_steps *travel = qtr_gains_travel(&bound->gains, kind, node);
-  const qtr_gains_view view = qtr_gains_of(&bound->gains, kind);
-  const unsigned here = node < places_of(bound) ? qtr_targets_of(&bound->environment->targets, node) : QTR_STAND_DOWN;
   double best = qtr_gains_go_home(&bound->gains, kind, node, when);
   for (unsigned target = 0; target < targets_of(bound); target++) {
     if (!is_free(after, target)) continue;
     const uint16_t first = qtr_targets_first(&bound->environment->targets, node, target);
     if (first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
-    const double gain = qtr_gains_at(&view, here, first, when + travel[first]);
+    const double gain = qtr_gains_at(&bound->gains, kind, first, memory[target], when + travel[first]);
     if (gain > best) best = gain;
   }
   return best;
@@ -225,11 +269,15 @@ static double worth_under_way(const qtr_bound *bound, const qtr_situation *after
 /* sum of lambda over the free targets + sum over seekers of C at their arrival: L(lambda) of the game that is left, by
  * the same proof. */
 static double bound_by_prices(const qtr_bound *bound, const qtr_situation *after) {
+  qtr_memory memory[QTR_MAX_PLACES];
   double upper = 0.0;
-  for (unsigned target = 0; target < targets_of(bound); target++)
-    if (is_free(after, target)) upper += bound->price[target];
+  for (unsigned target = 0; target < targets_of(bound); target++) {
+    if (!is_free(after, target)) continue;
+    upper += bound->price[target];
+    memory[target] = qtr_near_of(&bound->gains.near, target, &after->joint.visited, &after->joint.bound);
+  }
   for (unsigned i = 0; i < bound->game->board.seekers; i++)
-    if (after->joint.node[i] != QTR_STAND_DOWN) upper += collect_on(bound, after, i);
+    if (after->joint.node[i] != QTR_STAND_DOWN) upper += collect_on(bound, after, i, memory);
   return upper;
 }
 

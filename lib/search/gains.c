@@ -7,7 +7,8 @@
 #include "robot/board.h"
 
 #define WATCH_SLOTS 32u /* filled from one asking of the watch to the next */
-#define HORIZON 2u      /* slots reach so many times as far as the last visit of the play known */
+#define FINE_SLOTS 512u /* as many are enough where nothing depends on the clock */
+#define LISTED 8u       /* ways on, the best, that are ranked for all memories of a place at once */
 
 static unsigned places_of(const qtr_gains *gains) {
   return gains->game->board.places;
@@ -21,12 +22,12 @@ static unsigned nodes_of(const qtr_gains *gains) {
   return places_of(gains) + gains->game->board.starts;
 }
 
-static uint32_t *apart_from(const qtr_gains *gains, unsigned kind, unsigned place) {
-  return gains->slots_apart + ((size_t)kind * places_of(gains) + place) * targets_of(gains);
+static qtr_gains_way *ways_from(const qtr_gains *gains, unsigned kind, unsigned place) {
+  return gains->way + ((size_t)kind * places_of(gains) + place) * targets_of(gains);
 }
 
-static qtr_gain *gains_in(const qtr_gains *gains, unsigned kind, uint32_t slot) {
-  return gains->gain + ((size_t)kind * gains->slots + slot) * places_of(gains);
+static double *gains_in(const qtr_gains *gains, unsigned kind, uint32_t slot) {
+  return gains->gain + ((size_t)kind * (gains->slots + 1) + slot) * gains->row;
 }
 
 /* What is known of a kind is known of its first seeker. */
@@ -83,35 +84,140 @@ static qtr_steps shortest_apart(const qtr_gains *gains) {
   return shortest;
 }
 
-/* The steps that slots are to reach: beyond the deadline nothing is worth anything, and that is what counts there. */
+/* The steps that slots are to reach, further than the last visit of the play known: beyond the deadline nothing is
+ * worth anything, and that is what counts there. */
 static uint64_t horizon_of(const qtr_gains *gains, qtr_steps last_visit) {
   const qtr_objective *objective = &gains->game->objective;
-  uint64_t horizon = (uint64_t)last_visit * HORIZON + gains->environment->board.keys.longest + 2;
+  uint64_t horizon = (uint64_t)last_visit * 5 / 4 + gains->environment->board.keys.longest + 2;
   if (horizon > QTR_NEVER / 2) horizon = QTR_NEVER / 2;
   if (objective->kind == QTR_DEADLINE && horizon > objective->deadline) horizon = (uint64_t)objective->deadline + 1;
   return horizon;
 }
 
-/* Slots as short as the horizon allows, but never longer than the shortest way between two targets: a walk must move on
- * in time. */
-void qtr_gains_cut(qtr_gains *gains, qtr_steps last_visit) {
+/* ---- slots ---- */
+
+/* How far `into` a slot lies on the line to the next one. Worth is linear in gamma^t, whose first step is different: a
+ * place visited at step 0 is worth as much as at step 1. */
+double qtr_gains_share(const qtr_gains *gains, uint32_t slot, qtr_steps into) {
+  if (gains->clocked || into == 0) return 0.0;
+  if (gains->game->objective.kind == QTR_TIME) return (double)into / (double)gains->slot_steps;
+  return slot == 0 ? 0.0 : (1.0 - qtr_objective_power(&gains->game->objective, into)) / gains->slot_fall;
+}
+
+/* As a float that is not above it: less of the line is more of the bound. */
+static float share_below(double share) {
+  const float nearest = (float)share;
+  return (double)nearest > share ? nextafterf(nearest, 0.0f) : nearest;
+}
+
+/* Slots as long as the horizon asks for, but never longer than the shortest way between two targets: a walk must move
+ * on in time. */
+static void cut_slots(qtr_gains *gains, qtr_steps last_visit) {
   const qtr_steps shortest = shortest_apart(gains);
   /* Places lie on different cells, and each step takes one of time; so do looks at one place. */
   QTR_ASSERT(shortest > 0);
   const uint64_t horizon = horizon_of(gains, last_visit);
-  uint64_t steps = (horizon + QTR_BOUND_SLOTS - 1) / QTR_BOUND_SLOTS;
+  const uint64_t wanted = gains->clocked || QTR_BOUND_SLOTS < FINE_SLOTS ? QTR_BOUND_SLOTS : FINE_SLOTS;
+  uint64_t steps = (horizon + wanted - 1) / wanted;
   if (steps > shortest) steps = shortest;
   const uint64_t slots = (horizon + steps - 1) / steps;
   gains->slot_steps = (qtr_steps)steps;
   gains->slots = (uint32_t)(slots < QTR_BOUND_SLOTS ? slots : QTR_BOUND_SLOTS);
+  gains->slot_fall = 1.0 - qtr_objective_power(&gains->game->objective, gains->slot_steps);
+}
+
+/* ---- memories ---- */
+
+/* There and back, by the kind that is the fastest. */
+static uint64_t steps_around(const qtr_gains *gains, unsigned target, unsigned other) {
+  uint64_t least = QTR_NEVER;
   for (unsigned kind = 0; kind < gains->kinds; kind++) {
-    for (unsigned place = 0; place < places_of(gains); place++) {
-      for (unsigned target = 0; target < targets_of(gains); target++) {
-        const qtr_steps apart = steps_apart(gains, kind, place, target);
-        apart_from(gains, kind, place)[target] = apart == QTR_NEVER ? QTR_NEVER : apart / gains->slot_steps;
-      }
-    }
+    const qtr_steps there = steps_apart(gains, kind, qtr_targets_place(&gains->environment->targets, target, 0), other);
+    const qtr_steps back = steps_apart(gains, kind, qtr_targets_place(&gains->environment->targets, other, 0), target);
+    if (there != QTR_NEVER && back != QTR_NEVER && (uint64_t)there + back < least) least = (uint64_t)there + back;
   }
+  return least;
+}
+
+/* The nearest target that is no neighbour yet; QTR_STAND_DOWN if there is none. */
+static unsigned next_neighbour(const qtr_gains *gains, unsigned target) {
+  unsigned nearest = QTR_STAND_DOWN;
+  uint64_t least = QTR_NEVER;
+  for (unsigned other = 0; other < targets_of(gains); other++) {
+    if (other == target || qtr_near_bit(&gains->near, target, other) != 0) continue;
+    const uint64_t steps = steps_around(gains, target, other);
+    if (steps >= least) continue;
+    least = steps;
+    nearest = other;
+  }
+  return nearest;
+}
+
+static uint32_t gains_a_slot(const qtr_gains *gains) {
+  uint32_t row = 0;
+  for (unsigned place = 0; place < places_of(gains); place++)
+    row += qtr_near_memories(&gains->near, target_of(gains, place));
+  return row;
+}
+
+static uint64_t room_of(const qtr_gains *gains) {
+  return (uint64_t)QTR_BOUND_SLOTS * QTR_GAINS_PER_SLOT * places_of(gains) / (gains->slots + 1);
+}
+
+/* One neighbour more for each target, as far as there is room: each doubles what is kept of its target. */
+static bool add_neighbours(qtr_gains *gains) {
+  uint64_t row = gains_a_slot(gains);
+  const uint64_t room = room_of(gains);
+  bool added = false;
+  for (unsigned target = 0; target < targets_of(gains); target++) {
+    const uint64_t more =
+        (uint64_t)qtr_near_memories(&gains->near, target) * qtr_targets_size(&gains->environment->targets, target);
+    const unsigned neighbour = next_neighbour(gains, target);
+    if (neighbour == QTR_STAND_DOWN || row + more > room) continue;
+    added |= qtr_near_add(&gains->near, target, neighbour);
+    row += more;
+  }
+  return added;
+}
+
+static void lay_entries(qtr_gains *gains) {
+  gains->row = 0;
+  for (unsigned place = 0; place < places_of(gains); place++) {
+    gains->entry[place] = gains->row;
+    gains->row += qtr_near_memories(&gains->near, target_of(gains, place));
+  }
+}
+
+static qtr_gains_way way_between(const qtr_gains *gains, unsigned kind, unsigned place, unsigned target) {
+  const qtr_steps apart = steps_apart(gains, kind, place, target);
+  qtr_gains_way way = {QTR_NEVER, 0.0f, 0};
+  if (apart == QTR_NEVER) return way;
+  way.slots = apart / gains->slot_steps;
+  way.share = share_below(qtr_gains_share(gains, way.slots, apart % gains->slot_steps));
+  way.entry = gains->entry[first_of(gains, qtr_tour_exit(tour_at(gains, place)), target)] +
+              qtr_near_bit(&gains->near, target, target_of(gains, place));
+  return way;
+}
+
+static void measure_ways(qtr_gains *gains) {
+  for (unsigned kind = 0; kind < gains->kinds; kind++)
+    for (unsigned place = 0; place < places_of(gains); place++)
+      for (unsigned target = 0; target < targets_of(gains); target++)
+        ways_from(gains, kind, place)[target] = way_between(gains, kind, place, target);
+}
+
+bool qtr_gains_remember_more(qtr_gains *gains) {
+  if (!add_neighbours(gains)) return false;
+  lay_entries(gains);
+  measure_ways(gains);
+  return true;
+}
+
+void qtr_gains_cut(qtr_gains *gains, qtr_steps last_visit) {
+  cut_slots(gains, last_visit);
+  add_neighbours(gains);
+  lay_entries(gains);
+  measure_ways(gains);
 }
 
 /* ---- set-up ---- */
@@ -134,17 +240,18 @@ size_t qtr_gains_bytes(const qtr_game *game) {
   const size_t kinds = list_kinds(&game->board, kind_of, first_of_kind);
   const size_t places = game->board.places;
   return kinds * places *
-         (QTR_BOUND_SLOTS * sizeof(qtr_gain) + sizeof(double) + sizeof(qtr_steps) * (places + game->board.starts) +
-          sizeof(uint32_t) * places);
+             (QTR_BOUND_SLOTS * QTR_GAINS_PER_SLOT * sizeof(double) + sizeof(qtr_gains_way) * places +
+              sizeof(qtr_steps) * (places + game->board.starts)) +
+         places * places * sizeof(qtr_memory);
 }
 
 /* The widest first, so that all are aligned. */
 static void lay_out(qtr_gains *gains, void *block) {
   const size_t all = (size_t)gains->kinds * places_of(gains);
   gains->gain = block;
-  gains->late = (double *)(gains->gain + QTR_BOUND_SLOTS * all);
-  gains->travel = (qtr_steps *)(gains->late + all);
-  gains->slots_apart = gains->travel + all * nodes_of(gains);
+  gains->way = (qtr_gains_way *)(gains->gain + QTR_BOUND_SLOTS * QTR_GAINS_PER_SLOT * all);
+  gains->travel = (qtr_steps *)(gains->way + all * places_of(gains));
+  qtr_near_init(&gains->near, (qtr_memory *)(gains->travel + all * nodes_of(gains)), targets_of(gains));
 }
 
 static void unpack_travel(qtr_gains *gains) {
@@ -161,6 +268,7 @@ void qtr_gains_init(qtr_gains *gains, void *block, const qtr_environment *enviro
   gains->environment = environment;
   gains->game = environment->game;
   gains->kinds = (uint8_t)list_kinds(&gains->game->board, gains->kind_of, gains->first_of);
+  gains->clocked = gains->game->board.terms.end != NULL || gains->game->objective.kind == QTR_DEADLINE;
   lay_out(gains, block);
   unpack_travel(gains);
 }
@@ -200,52 +308,107 @@ static void fill_late(qtr_gains *gains, const double *price) {
     for (unsigned place = 0; place < places_of(gains); place++) {
       const unsigned target = target_of(gains, place);
       const double net = target_worth(gains, target, end) - price[target];
-      gains->late[(size_t)kind * places_of(gains) + place] =
-          all + (net > 0.0 ? 0.0 : net) + qtr_gains_go_home(gains, kind, QTR_STAND_DOWN, end);
+      const double late = all + (net > 0.0 ? 0.0 : net) + qtr_gains_go_home(gains, kind, QTR_STAND_DOWN, end);
+      for (unsigned memory = 0; memory < qtr_near_memories(&gains->near, target); memory++)
+        gains_in(gains, kind, gains->slots)[gains->entry[place] + memory] = late;
     }
   }
 }
 
-/* C(t, j) with the tour that it begins: net(j, t) + max(0, max over p of C(t + d(j, p), p)), d from tour's start to
- * start. A tour that leaves no time to go home is none. */
-static void fill_gain(qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, double net) {
+/* ---- ways on from a place at a slot ---- */
+
+/* The best ways on, best first, of a walk that remembers nothing; more memory is never worth more. */
+typedef struct {
+  double value[LISTED];
+  uint16_t target[LISTED];
+  unsigned count;
+  double unlisted; /* the most that any other is worth */
+} ways_on;
+
+/* What a walk at a slot collects that goes a way, and stands there so many entries on. */
+static inline double follow(const qtr_gains *gains, const double *now, uint32_t slots_left, const qtr_gains_way *way,
+                            uint32_t entry) {
+  const uint32_t then = way->slots < slots_left ? way->slots : slots_left;
+  const double *in = now + (size_t)then * gains->row + entry;
+  if (way->share == 0.0f || then == slots_left) return *in;
+  return *in + (double)way->share * (in[gains->row] - *in);
+}
+
+static void list_way(ways_on *on, double value, unsigned target) {
+  unsigned i = on->count;
+  if (on->count == LISTED) {
+    const double dropped = value > on->value[LISTED - 1] ? on->value[LISTED - 1] : value;
+    if (dropped > on->unlisted) on->unlisted = dropped;
+    if (dropped == value) return;
+    i--;
+  } else {
+    on->count++;
+  }
+  for (; i > 0 && on->value[i - 1] < value; i--) {
+    on->value[i] = on->value[i - 1];
+    on->target[i] = on->target[i - 1];
+  }
+  on->value[i] = value;
+  on->target[i] = (uint16_t)target;
+}
+
+static void list_ways(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, double least, ways_on *on) {
+  const qtr_gains_way *ways = ways_from(gains, kind, place);
+  const double *now = gains_in(gains, kind, slot);
+  const uint32_t slots_left = gains->slots - slot;
+  on->count = 0;
+  on->unlisted = least;
+  for (unsigned target = 0; target < targets_of(gains); target++) {
+    if (ways[target].slots == QTR_NEVER) continue;
+    /* Walks move on in time: C(t, p) needs later slots alone, and those have been filled. */
+    QTR_ASSERT(ways[target].slots > 0);
+    const double value = follow(gains, now, slots_left, &ways[target], ways[target].entry);
+    if (value > least) list_way(on, value, target);
+  }
+}
+
+/* What a walk with a memory at `place` collects that goes on to `target`; less than all if it remembers that. */
+static double go_on(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, qtr_memory memory,
+                    unsigned target) {
+  const unsigned here = target_of(gains, place);
+  const qtr_gains_way *way = &ways_from(gains, kind, place)[target];
+  if (way->slots == QTR_NEVER || (qtr_near_bit(&gains->near, here, target) & memory) != 0) return -HUGE_VAL;
+  const qtr_memory then = qtr_near_move(&gains->near, here, memory, target);
+  return follow(gains, gains_in(gains, kind, slot), gains->slots - slot, way,
+                way->entry + then - qtr_near_bit(&gains->near, target, here));
+}
+
+/* The most that any way on is worth with a memory, and no less than `best`. */
+static double best_on(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, qtr_memory memory,
+                      const ways_on *on, double best) {
+  for (unsigned i = 0; i < on->count && on->value[i] > best; i++) {
+    const double value = go_on(gains, kind, slot, place, memory, on->target[i]);
+    if (value > best) best = value;
+  }
+  if (on->unlisted <= best) return best;
+  for (unsigned target = 0; target < targets_of(gains); target++) {
+    const double value = go_on(gains, kind, slot, place, memory, target);
+    if (value > best) best = value;
+  }
+  return best;
+}
+
+/* C(t, j, memory) with the tour that it begins: net(j, t) + max(0, max over p of C(t + d(j, p), p, memory there)), d
+ * from tour's start to start. A tour that leaves no time to go home is none. */
+static void fill_gains(qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, double net) {
   const qtr_tour *tour = tour_at(gains, place);
-  const qtr_gains_view view = qtr_gains_of(gains, kind);
-  const unsigned targets = targets_of(gains);
-  const uint16_t exit = qtr_tour_exit(tour);
-  const uint32_t *apart = apart_from(gains, kind, place);
-  const uint16_t *first = &gains->environment->targets.first[(size_t)exit * targets];
-  const uint16_t here = tour->target;
-  const qtr_steps when = slot * gains->slot_steps;
-  qtr_gain *gain = &gains_in(gains, kind, slot)[place];
-  uint16_t to = QTR_STAND_DOWN;
-  uint16_t other = QTR_STAND_DOWN;
-  if (!qtr_gains_in_time(gains, kind, exit, when + qtr_tour_length(tour))) {
-    *gain = (qtr_gain){-HUGE_VAL, -HUGE_VAL, to, other};
+  const unsigned memories = qtr_near_memories(&gains->near, tour->target);
+  const qtr_steps done = slot * gains->slot_steps + qtr_tour_length(tour);
+  double *gain = gains_in(gains, kind, slot) + gains->entry[place];
+  ways_on on;
+  if (!qtr_gains_in_time(gains, kind, qtr_tour_exit(tour), done)) {
+    for (unsigned memory = 0; memory < memories; memory++) gain[memory] = -HUGE_VAL;
     return;
   }
-  double best = qtr_gains_go_home(gains, kind, exit, when + qtr_tour_length(tour));
-  double second = best;
-  for (unsigned target = 0; target < targets; target++) {
-    if (apart[target] == QTR_NEVER) continue;
-    /* Walks move on in time: C(t, p) needs later slots alone, and those have been filled. */
-    QTR_ASSERT(apart[target] > 0);
-    const double on = qtr_gains_in_slot(&view, here, first[target], slot + apart[target]);
-    if (on <= second) continue;
-    if (on > best) {
-      second = best;
-      other = to;
-      best = on;
-      to = (uint16_t)target;
-    } else {
-      second = on;
-      other = (uint16_t)target;
-    }
-  }
-  gain->best = net + best;
-  gain->second = net + second;
-  gain->to = to;
-  gain->other = other;
+  const double home = qtr_gains_go_home(gains, kind, qtr_tour_exit(tour), done);
+  list_ways(gains, kind, slot, place, home, &on);
+  for (unsigned memory = 0; memory < memories; memory++)
+    gain[memory] = net + best_on(gains, kind, slot, place, (qtr_memory)memory, &on, home);
 }
 
 /* Backwards in time, for each slot rests on later ones alone. False: stopped, and the gains are those of no prices. */
@@ -256,53 +419,55 @@ bool qtr_gains_fill(qtr_gains *gains, const double *price) {
     for (unsigned place = 0; place < places_of(gains); place++) {
       if (tour_at(gains, place)->places == 0) continue;
       const double net = net_worth(gains, price, place, slot * gains->slot_steps);
-      for (unsigned kind = 0; kind < gains->kinds; kind++) fill_gain(gains, kind, slot, place, net);
+      for (unsigned kind = 0; kind < gains->kinds; kind++) fill_gains(gains, kind, slot, place, net);
     }
   }
   return true;
 }
 
-/* The first target of the best walk of a seeker from its start; QTR_STAND_DOWN if staying is best. */
-static uint16_t first_of_walk(const qtr_gains *gains, unsigned seeker, unsigned start_node, double *collected) {
-  const unsigned kind = gains->kind_of[seeker];
-  const qtr_steps *travel = qtr_gains_travel(gains, kind, start_node);
-  const qtr_steps ready = qtr_board_ready(&gains->game->board, seeker);
-  const qtr_gains_view view = qtr_gains_of(gains, kind);
-  uint16_t best = QTR_STAND_DOWN;
-  *collected = qtr_gains_go_home(gains, kind, start_node, ready);
+/* ---- the walk that C stands for, followed forwards: what the prices are tuned by ---- */
+
+typedef struct {
+  unsigned node;
+  qtr_steps when;
+  qtr_memory memory;
+} walker;
+
+/* Go to where most can be collected, and say what; QTR_STAND_DOWN: it stays, which is best. */
+static unsigned walk_on(const qtr_gains *gains, unsigned kind, walker *at, double *collected) {
+  const qtr_steps *travel = qtr_gains_travel(gains, kind, at->node);
+  const unsigned here = target_at(gains, at->node);
+  unsigned best = QTR_STAND_DOWN;
+  walker then = *at;
+  *collected = qtr_gains_go_home(gains, kind, at->node, at->when);
   for (unsigned target = 0; target < targets_of(gains); target++) {
-    const uint16_t first = first_of(gains, start_node, target);
-    if (first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
-    const double gain = qtr_gains_at(&view, QTR_STAND_DOWN, first, ready + travel[first]);
+    const uint16_t first = first_of(gains, at->node, target);
+    if (target == here || first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
+    if (here != QTR_STAND_DOWN && (qtr_near_bit(&gains->near, here, target) & at->memory) != 0) continue;
+    const qtr_memory memory = here == QTR_STAND_DOWN ? 0 : qtr_near_move(&gains->near, here, at->memory, target);
+    const double gain = qtr_gains_at(gains, kind, first, memory, at->when + travel[first]);
     if (gain <= *collected) continue;
     *collected = gain;
-    best = (uint16_t)target;
+    best = target;
+    then = (walker){first, at->when + travel[first], memory};
   }
+  *at = then;
   return best;
 }
 
-/* The walk that C stands for, followed forwards: what the prices are tuned by. */
 double qtr_gains_walk(const qtr_gains *gains, unsigned seeker, int *visits) {
   const qtr_board *board = &gains->game->board;
   const unsigned kind = gains->kind_of[seeker];
-  unsigned node = (unsigned)board->places + board->start_of[seeker];
-  unsigned from = QTR_STAND_DOWN;
-  uint32_t slot = 0;
-  double collected;
-  uint16_t target = first_of_walk(gains, seeker, node, &collected);
+  walker at = {(unsigned)board->places + board->start_of[seeker], qtr_board_ready(board, seeker), 0};
+  double all, rest;
+  unsigned target = walk_on(gains, kind, &at, &all);
   while (target != QTR_STAND_DOWN) {
-    const uint16_t first = first_of(gains, node, target);
     visits[target]++;
-    slot = from == QTR_STAND_DOWN
-               ? (qtr_board_ready(board, seeker) + qtr_gains_travel(gains, kind, node)[first]) / gains->slot_steps
-               : slot + apart_from(gains, kind, from)[target];
-    if (slot >= gains->slots) break;
-    const qtr_tour *tour = tour_at(gains, first);
-    const qtr_gain *gain = &gains_in(gains, kind, slot)[first];
-    const unsigned before = target_at(gains, node);
-    node = tour->place[tour->places - 1];
-    from = first;
-    target = before != QTR_STAND_DOWN && gain->to == before ? gain->other : gain->to;
+    if (at.when / gains->slot_steps >= gains->slots) break;
+    const qtr_tour *tour = tour_at(gains, at.node);
+    at.node = qtr_tour_exit(tour);
+    at.when += qtr_tour_length(tour);
+    target = walk_on(gains, kind, &at, &rest);
   }
-  return collected;
+  return all;
 }

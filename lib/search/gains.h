@@ -1,8 +1,11 @@
-/* What one seeker alone can still collect, net of prices (C of search/bound.h): worked out for every moment, place and
- * kind of seekers, from the end of time backwards.
+/* What one seeker alone can still collect, net of prices (C of search/bound.h): worked out for every moment, place,
+ * memory (search/near.h) and kind of seekers, from the end of time backwards.
  *
- * Time is cut into slots. Worth falls with time, so C at a slot's first step is good for the whole slot; past the last
- * slot everything left counts as collected at once. Both keep the bound valid and make it less tight.
+ * Time is cut into slots of some steps, and C is known at the first step of each. In between, without a clock, it is no
+ * more than the straight line between the two: every walk's worth is linear in t under expected time, and in gamma^t
+ * discounted, so that their greatest is convex. With a clock it is no more than at the slot's first step: worth never
+ * rises with time. Past the last slot everything left counts as collected at once. All of it keeps the bound valid and
+ * makes it less tight.
  */
 #ifndef QUARTER_SEARCH_GAINS_H
 #define QUARTER_SEARCH_GAINS_H
@@ -13,46 +16,54 @@
 
 #include "aggregate/environment.h"
 #include "quarter/config.h"
+#include "search/near.h"
 
-/* What a walk that comes to a place, the first of a target's tour, can collect, the tour included; and the target that
- * it goes on to. */
+/* The way from a tour's first place to the next target's. */
 typedef struct {
-  double best;    /* the best way on */
-  double second;  /* the best way on to any other target */
-  uint16_t to;    /* where the best goes on to; QTR_STAND_DOWN: it ends here */
-  uint16_t other; /* where the second goes on to */
-} qtr_gain;
+  uint32_t slots; /* whole ones; QTR_NEVER: there is no way */
+  float share;    /* and how far the rest of the way reaches on the line to the next slot */
+  uint32_t entry; /* where in a slot the gains stand of a walk that remembers nothing but where it comes from */
+} qtr_gains_way;
 
 typedef struct {
   const qtr_environment *environment;
   const qtr_game *game; /* the environment's */
   uint32_t slots;       /* in use */
   qtr_steps slot_steps; /* steps a slot */
+  bool clocked;         /* what can be collected depends on the clock: nothing between slots is known */
+  double slot_fall;     /* discounted: 1 - gamma^slot_steps */
+  uint32_t row;         /* gains a slot of a kind */
   uint8_t kinds;
   uint8_t kind_of[QTR_MAX_SEEKERS];  /* 0..kinds-1 */
   uint8_t first_of[QTR_MAX_SEEKERS]; /* of each kind: its first seeker */
+  uint32_t entry[QTR_MAX_PLACES];    /* of each place, where its gains stand in a slot: one for each memory */
+  qtr_near near;
   /* In the caller's block, one after another for each kind. */
-  qtr_gain *gain;        /* a row of places a slot */
-  double *late;          /* of each place: gains past the last slot */
-  qtr_steps *travel;     /* a row of places a node: as in the game, unpacked */
-  uint32_t *slots_apart; /* a row of targets a place: from a tour's first place to the next target's, in slots */
+  double *gain;       /* a row a slot, and one for what is past the last slot */
+  qtr_gains_way *way; /* a row of targets a place */
+  qtr_steps *travel;  /* a row of places a node: as in the game, unpacked */
 } qtr_gains;
 
 /* Bytes of the block that the gains and times of a game take. */
 size_t qtr_gains_bytes(const qtr_game *game);
 
 /* At most, for games of so many kinds of seekers. */
+#define QTR_GAINS_PER_SLOT 3u /* and place, that the block has room for */
 #define QTR_GAINS_BYTES(kinds)                                                                                         \
   ((kinds) * (size_t)QTR_MAX_PLACES *                                                                                  \
-   (QTR_BOUND_SLOTS * sizeof(qtr_gain) + sizeof(double) + sizeof(qtr_steps) * QTR_MAX_NODES +                          \
-    sizeof(uint32_t) * QTR_MAX_PLACES))
+       (QTR_BOUND_SLOTS * QTR_GAINS_PER_SLOT * sizeof(double) + sizeof(qtr_steps) * QTR_MAX_NODES +                    \
+        sizeof(qtr_gains_way) * QTR_MAX_PLACES) +                                                                      \
+   (size_t)QTR_MAX_PLACES * QTR_MAX_PLACES * sizeof(qtr_memory))
 
-/* Get ready in a block of the caller's, qtr_gains_bytes() aligned for a qtr_gain. The environment must be without
+/* Get ready in a block of the caller's, qtr_gains_bytes() aligned for a double. The environment must be without
  * regions; it and the block must outlive the gains. Nothing is known before they are filled. */
 void qtr_gains_init(qtr_gains *gains, void *block, const qtr_environment *environment);
 
 /* Cut time into slots, by the last visit of a play that is known. */
 void qtr_gains_cut(qtr_gains *gains, qtr_steps last_visit);
+
+/* Walks remember one more neighbour of each target, as far as there is room. False: of none. What C was is lost. */
+bool qtr_gains_remember_more(qtr_gains *gains);
 
 /* Work C out under the prices of the targets. False: stopped by the mission's watch, and the gains are those of no
  * prices. */
@@ -75,36 +86,34 @@ static inline bool qtr_gains_in_time(const qtr_gains *gains, unsigned kind, unsi
   return gains->game->board.terms.end == NULL || qtr_gains_before_end(gains, kind, exit, when);
 }
 
-/* The gains of one kind, found once for many questions. */
+/* Where a step lies: in a slot, at its first step (share 0), or so far on the line to the next one. */
 typedef struct {
-  const qtr_gain *gain; /* a row of places a slot */
-  const double *late;   /* of each place */
-  size_t places;
-  uint32_t slots;
-  qtr_steps slot_steps;
-} qtr_gains_view;
+  uint32_t slot;
+  double share;
+} qtr_moment;
 
-static inline qtr_gains_view qtr_gains_of(const qtr_gains *gains, unsigned kind) {
-  const size_t places = gains->game->board.places;
-  const qtr_gains_view view = {gains->gain + (size_t)kind * gains->slots * places, gains->late + kind * places, places,
-                               gains->slots, gains->slot_steps};
-  return view;
+double qtr_gains_share(const qtr_gains *gains, uint32_t slot, qtr_steps into);
+
+static inline qtr_moment qtr_gains_when(const qtr_gains *gains, qtr_steps when) {
+  qtr_moment moment = {when, 0.0};
+  if (gains->slot_steps == 1) return moment;
+  moment.slot = when / gains->slot_steps;
+  moment.share = qtr_gains_share(gains, moment.slot, when % gains->slot_steps);
+  return moment;
 }
 
-/* What a walk from target `from` (QTR_STAND_DOWN: none) collects that begins the tour at `place` in `slot`: it may not
- * go straight back. Walks may repeat targets, which real ones cannot, and the worst of that is to and fro between two:
- * with the best way on and the best one to another target kept, C is known for every `from` at no more work than for
- * none. */
-static inline double qtr_gains_in_slot(const qtr_gains_view *view, unsigned from, unsigned place, uint32_t slot) {
-  if (slot >= view->slots) return view->late[place];
-  const qtr_gain *gain = &view->gain[(size_t)slot * view->places + place];
-  return gain->to == from ? gain->second : gain->best;
+static inline const double *qtr_gains_in(const qtr_gains *gains, unsigned kind, uint32_t slot) {
+  return gains->gain + ((size_t)kind * (gains->slots + 1) + (slot < gains->slots ? slot : gains->slots)) * gains->row;
 }
 
-/* The same at step `when`. A slot is known by its first step, when its walks can collect most: worth never rises with
- * time. */
-static inline double qtr_gains_at(const qtr_gains_view *view, unsigned from, unsigned place, qtr_steps when) {
-  return qtr_gains_in_slot(view, from, place, view->slot_steps == 1 ? when : when / view->slot_steps);
+/* What a seeker of a kind collects that begins the tour at `place` at step `when`, and remembers so much. */
+static inline double qtr_gains_at(const qtr_gains *gains, unsigned kind, unsigned place, qtr_memory memory,
+                                  qtr_steps when) {
+  const uint32_t entry = gains->entry[place] + memory;
+  const qtr_moment moment = qtr_gains_when(gains, when);
+  const double here = qtr_gains_in(gains, kind, moment.slot)[entry];
+  if (moment.share == 0.0) return here;
+  return here + moment.share * (qtr_gains_in(gains, kind, moment.slot + 1)[entry] - here);
 }
 
 /* Steps from a node to each place, for a kind. */

@@ -10,7 +10,7 @@
 #include "support/scattered.h"
 #include "unity.h"
 
-enum { SIDE = 10, PLACES = 8, SEEKERS = 2, PRICE_STEPS = 16, MAPS = 40, STACK_MOST = 6144 };
+enum { SIDE = 10, PLACES = 8, SEEKERS = 2, PRICE_STEPS = 10, MAPS = 40, STACK_MOST = 6144 };
 
 #define RAM_LIMIT 16384u
 #define INSTRUCTIONS_LIMIT 40000000u

@@ -54,13 +54,13 @@ static void bound_ways_without_time(void) {
 }
 
 static void bound_walks_that_stand_still(void) {
-  table_learner->bound.gains.slots_apart[1] = 0;
+  table_learner->bound.gains.way[1].slots = 0;
   qtr_bound_improve(&table_learner->bound, 0.0);
 }
 
 static void pay_for_leaving_out(void) {
-  table_learner->bound.trial[0] = -1.0;
-  qtr_bound_improve(&table_learner->bound, 0.0);
+  table_learner->bound.price[0] = -1.0;
+  qtr_bound_settle(&table_learner->bound);
 }
 
 static void test_bound(void) {

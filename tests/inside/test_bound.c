@@ -15,7 +15,7 @@ static qtr_travel travel;
 static qtr_game game;
 static qtr_environment *ground;
 static qtr_bound bound;
-static qtr_gain gains[QTR_BOUND_SLOTS * QTR_MAX_PLACES];
+static double gains[QTR_GAINS_BYTES(1) / sizeof(double) + 1];
 static brute_game brute;
 static long states_seen;
 static double tightest; /* the least slack seen */

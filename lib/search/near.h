@@ -1,0 +1,54 @@
+/* Route memory (ng-routes: Baldacci, Mingozzi and Roberti, 2011): what a walk remembers of where it has been.
+ *
+ * Each target has a few neighbours. A walk that comes to a target knows which of the target's neighbours it has been
+ * to, and forgets all else for good; it does not return to what it knows. That rules short cycles out, and they are
+ * what a bound on walks loses most by. The walk of a real seeker, which comes to each target once, is never ruled out.
+ */
+#ifndef QUARTER_SEARCH_NEAR_H
+#define QUARTER_SEARCH_NEAR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "quarter/config.h"
+#include "quarter/places.h"
+
+#define QTR_NEAR_MOST 6u /* neighbours of a target */
+
+/* A set of a target's neighbours: bit i for its i-th. */
+typedef uint8_t qtr_memory;
+
+typedef struct {
+  uint16_t targets;
+  uint8_t count[QTR_MAX_PLACES]; /* neighbours of each target */
+  uint16_t near[QTR_MAX_PLACES][QTR_NEAR_MOST];
+  qtr_memory *bit; /* in the caller's block, a row of targets a target: each one's bit in its memory; 0: no neighbour */
+} qtr_near;
+
+/* Nobody has neighbours. `bit` is the caller's: targets^2 of them. */
+void qtr_near_init(qtr_near *near, qtr_memory *bit, unsigned targets);
+
+/* Add to a target's neighbours one that is not among them. False: there are QTR_NEAR_MOST. */
+bool qtr_near_add(qtr_near *near, unsigned target, unsigned neighbour);
+
+static inline unsigned qtr_near_memories(const qtr_near *near, unsigned target) {
+  return 1u << near->count[target];
+}
+
+static inline qtr_memory qtr_near_bit(const qtr_near *near, unsigned target, unsigned of) {
+  return near->bit[(size_t)target * near->targets + of];
+}
+
+/* What is remembered at `to` of a walk that comes from `from`, with a memory of its own there. */
+static inline qtr_memory qtr_near_move(const qtr_near *near, unsigned from, qtr_memory memory, unsigned to) {
+  qtr_memory kept = qtr_near_bit(near, to, from);
+  for (unsigned i = 0; memory >> i != 0; i++)
+    if (memory >> i & 1) kept |= qtr_near_bit(near, to, near->near[from][i]);
+  return kept;
+}
+
+/* What is remembered at a target of all that two sets hold. */
+qtr_memory qtr_near_of(const qtr_near *near, unsigned target, const qtr_places *been, const qtr_places *or_been);
+
+#endif
