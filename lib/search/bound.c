@@ -203,72 +203,89 @@ static inline bool is_free(const qtr_situation *after, unsigned target) {
   return ((after->joint.visited.word[w] | after->joint.bound.word[w]) >> (target % 32) & 1u) == 0;
 }
 
+/* A seeker that is still in the game: where it is free next, and when. */
+typedef struct {
+  unsigned kind, node;
+  qtr_steps when;
+  const qtr_steps *travel; /* from there */
+} free_seeker;
+
+typedef struct {
+  unsigned count;
+  free_seeker seeker[QTR_MAX_SEEKERS];
+} crew;
+
+static void muster(crew *in, const qtr_bound *bound, const qtr_situation *after) {
+  in->count = 0;
+  for (unsigned i = 0; i < bound->game->board.seekers; i++) {
+    if (after->joint.node[i] == QTR_STAND_DOWN) continue;
+    free_seeker *seeker = &in->seeker[in->count++];
+    seeker->kind = bound->gains.kind_of[i];
+    seeker->node = qtr_environment_exit(bound->environment, after, i);
+    seeker->when = after->joint.now + after->joint.remaining[i];
+    seeker->travel = qtr_gains_travel(&bound->gains, seeker->kind, seeker->node);
+  }
+}
+
 /* The most that one seeker can collect from its next free moment on, its first step going to a free target. Further
  * ones are not checked: C knows no state. */
-static double collect_on(const qtr_bound *bound, const qtr_situation *after, unsigned seeker,
+static double collect_on(const qtr_bound *bound, const qtr_situation *after, const free_seeker *seeker,
                          const qtr_memory *memory) {
-  const unsigned kind = bound->gains.kind_of[seeker];
-  const unsigned node = qtr_environment_exit(bound->environment, after, seeker);
-  const qtr_steps when = after->joint.now + after->joint.remaining[seeker];
-  const qtr_steps *travel = qtr_gains_travel(&bound->gains, kind, node);
-  double best = qtr_gains_go_home(&bound->gains, kind, node, when);
+  double best = qtr_gains_go_home(&bound->gains, seeker->kind, seeker->node, seeker->when);
   for (unsigned target = 0; target < targets_of(bound); target++) {
     if (!is_free(after, target)) continue;
-    const uint16_t first = qtr_targets_first(&bound->environment->targets, node, target);
-    if (first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
-    const double gain = qtr_gains_at(&bound->gains, kind, first, memory[target], when + travel[first]);
+    const uint16_t first = qtr_targets_first(&bound->environment->targets, seeker->node, target);
+    if (first == QTR_STAND_DOWN || seeker->travel[first] == QTR_NEVER) continue;
+    const double gain =
+        qtr_gains_at(&bound->gains, seeker->kind, first, memory[target], seeker->when + seeker->travel[first]);
     if (gain > best) best = gain;
   }
   return best;
 }
 
 /* When the first of the seekers can be at a place, and home from there in time. */
-static qtr_steps soonest(const qtr_bound *bound, const qtr_situation *after, unsigned place) {
-  const qtr_joint *joint = &after->joint;
+static qtr_steps soonest(const qtr_bound *bound, const crew *in, unsigned place) {
   qtr_steps least = QTR_NEVER;
-  for (unsigned i = 0; i < bound->game->board.seekers; i++) {
-    if (joint->node[i] == QTR_STAND_DOWN) continue;
-    const unsigned kind = bound->gains.kind_of[i];
-    const unsigned node = qtr_environment_exit(bound->environment, after, i);
-    const qtr_steps way = node == place ? 0 : qtr_gains_travel(&bound->gains, kind, node)[place];
-    if (way == QTR_NEVER || joint->now + joint->remaining[i] + way >= least) continue;
-    if (qtr_gains_in_time(&bound->gains, kind, place, joint->now + joint->remaining[i] + way))
-      least = joint->now + joint->remaining[i] + way;
+  for (unsigned i = 0; i < in->count; i++) {
+    const free_seeker *seeker = &in->seeker[i];
+    const qtr_steps way = seeker->node == place ? 0 : seeker->travel[place];
+    if (way == QTR_NEVER || seeker->when + way >= least) continue;
+    if (qtr_gains_in_time(&bound->gains, seeker->kind, place, seeker->when + way)) least = seeker->when + way;
   }
   return least;
 }
 
 /* The visits that a seeker is on its way to. Under the paper's rule another one may be there first. */
-static double worth_of_tour(const qtr_bound *bound, const qtr_situation *after, unsigned seeker) {
+static double worth_of_tour(const qtr_bound *bound, const qtr_situation *after, const crew *in, unsigned seeker) {
   const qtr_tour *tour = qtr_targets_tour(&bound->environment->targets, after->at[seeker]);
   double worth = 0.0;
   for (unsigned i = 0; i < tour->places; i++) {
     const qtr_steps left = qtr_environment_visit(bound->environment, after, seeker, i);
     if (left == 0) continue;
     qtr_steps when = after->joint.now + left;
-    if (bound->environment->board.rule == QTR_RULE_PAPER && soonest(bound, after, tour->place[i]) < when)
-      when = soonest(bound, after, tour->place[i]);
+    if (bound->environment->board.rule == QTR_RULE_PAPER && soonest(bound, in, tour->place[i]) < when)
+      when = soonest(bound, in, tour->place[i]);
     worth += qtr_game_worth(bound->game, tour->place[i], when);
   }
   return worth;
 }
 
 /* Visits under way, each target once though several seekers may be bound for it. */
-static double worth_under_way(const qtr_bound *bound, const qtr_situation *after) {
+static double worth_under_way(const qtr_bound *bound, const qtr_situation *after, const crew *in) {
   qtr_places counted = after->joint.visited;
   double worth = 0.0;
   for (unsigned i = 0; i < bound->game->board.seekers; i++) {
     if (after->joint.remaining[i] == 0 || after->at[i] >= places_of(bound)) continue;
     if (qtr_places_has(&counted, after->joint.node[i])) continue;
     qtr_places_add(&counted, after->joint.node[i]);
-    worth += worth_of_tour(bound, after, i);
+    worth += worth_of_tour(bound, after, in, i);
   }
   return worth;
 }
 
 /* sum of lambda over the free targets + sum over seekers of C at their arrival: L(lambda) of the game that is left, by
  * the same proof. */
-static double bound_by_prices(const qtr_bound *bound, const qtr_situation *after) {
+static double bound_by_prices(const qtr_bound *bound, const qtr_situation *after, const crew *in) {
   qtr_memory memory[QTR_MAX_PLACES];
   double upper = 0.0;
   for (unsigned target = 0; target < targets_of(bound); target++) {
@@ -276,33 +293,32 @@ static double bound_by_prices(const qtr_bound *bound, const qtr_situation *after
     upper += bound->price[target];
     memory[target] = qtr_near_of(&bound->gains.near, target, &after->joint.visited, &after->joint.bound);
   }
-  for (unsigned i = 0; i < bound->game->board.seekers; i++)
-    if (after->joint.node[i] != QTR_STAND_DOWN) upper += collect_on(bound, after, i, memory);
+  for (unsigned i = 0; i < in->count; i++) upper += collect_on(bound, after, &in->seeker[i], memory);
   return upper;
 }
 
 /* The plain bound: every free place reached by whoever gets there soonest, all at once. */
-static double bound_all_at_once(const qtr_bound *bound, const qtr_situation *after) {
+static double bound_all_at_once(const qtr_bound *bound, const qtr_situation *after, const crew *in) {
   double upper = 0.0;
   for (unsigned place = 0; place < places_of(bound); place++) {
     if (!is_free(after, qtr_targets_of(&bound->environment->targets, place))) continue;
-    const qtr_steps when = soonest(bound, after, place);
+    const qtr_steps when = soonest(bound, in, place);
     if (when != QTR_NEVER) upper += qtr_game_worth(bound->game, place, when);
   }
-  for (unsigned i = 0; i < bound->game->board.seekers; i++)
-    if (after->joint.node[i] != QTR_STAND_DOWN)
-      upper += qtr_gains_go_home(&bound->gains, bound->gains.kind_of[i], QTR_STAND_DOWN,
-                                 after->joint.now + after->joint.remaining[i]);
+  for (unsigned i = 0; i < in->count; i++)
+    upper += qtr_gains_go_home(&bound->gains, in->seeker[i].kind, QTR_STAND_DOWN, in->seeker[i].when);
   return upper;
 }
 
 /* Each of the two is loose where the other one is not: the prices let walks repeat targets, the plain bound lets a
  * seeker be at all places at once. The lesser of two bounds is one. */
 double qtr_bound_state(const qtr_bound *bound, const qtr_situation *after) {
-  const double prices = bound_by_prices(bound, after);
-  const double plain = bound_all_at_once(bound, after);
+  crew in;
+  muster(&in, bound, after);
+  const double prices = bound_by_prices(bound, after, &in);
+  const double plain = bound_all_at_once(bound, after, &in);
   const qtr_objective *objective = &bound->game->objective;
-  const double upper = worth_under_way(bound, after) + (prices < plain ? prices : plain) +
+  const double upper = worth_under_way(bound, after, &in) + (prices < plain ? prices : plain) +
                        qtr_objective_left(objective, after->unvisited);
   return qtr_objective_from_now(objective, upper, after->joint.now, after->unvisited,
                                 qtr_game_seekers_out(bound->game, &after->joint));
