@@ -14,7 +14,7 @@ from ruamel.yaml import YAML
 
 geojson.geometry.DEFAULT_PRECISION = 9  # it would round to a decimetre
 
-@dataclass
+@dataclass(eq=False)
 class Point:
     x: float = math.nan  # metres in the map frame
     y: float = math.nan
@@ -30,6 +30,10 @@ class Point:
     heading: float = math.nan
     hold: float = math.nan
     more: dict = field(default_factory=dict)
+
+    # What a format does not tell is no number, which is equal to nothing, not even to itself.
+    def __eq__(self, other):
+        return repr(self) == repr(other)
 
 
 def place_of(name):
