@@ -9,16 +9,6 @@
 #define LONGEST_RUN (1u << 24)
 #define WORK_MOST (1u << 19) /* rounds times places of one step */
 
-/* As long as the prices' horizon, whose slots they take time for. */
-static uint32_t horizon(const qtr_learner *learner) {
-  qtr_steps last = 0;
-  for (unsigned place = 0; place < learner->game->board.places; place++) {
-    const qtr_steps visit = learner->best.visit[place];
-    if (visit != QTR_NEVER && visit > last) last = visit;
-  }
-  return last < QTR_BOUND_SLOTS / 2 ? 2 * last : QTR_BOUND_SLOTS;
-}
-
 /* A share of what a step takes itself: prices take their slots times the square of the places, episodes the cube, and a
  * round takes the places. Much of it comes first, for prices are tuned towards the best game. Games of few places are
  * mostly over before they need it. */
@@ -30,7 +20,8 @@ static uint32_t rounds_of_step(const qtr_learner *learner) {
   if (places <= few) return 0;
   const uint32_t more = places - few;
   const uint32_t rounds =
-      prices ? 2 * places * more / (1 + learner->planned_steps) + horizon(learner) * more / 32 : places * more / 100;
+      prices ? 2 * places * more / (1 + learner->planned_steps) + learner->bound.gains.slots * more / 32
+             : places * more / 100;
   return rounds < most ? rounds : most;
 }
 

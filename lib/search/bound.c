@@ -89,7 +89,8 @@ static void add_cut(qtr_bound *bound, double upper, const int *visits, const dou
   int16_t slope[QTR_MAX_PLACES];
   double at_center = upper;
   for (unsigned target = 0; target < targets_of(bound); target++) {
-    slope[target] = (int16_t)(1 - visits[target]);
+    /* So many visits come of absurd prices alone, and a cut that says too little of them leads away no less. */
+    slope[target] = (int16_t)(visits[target] < INT16_MAX ? 1 - visits[target] : -INT16_MAX);
     at_center -= (double)slope[target] * step[target];
   }
   qtr_bundle_add(&bound->bundle, at_center, slope);
@@ -173,7 +174,8 @@ static bool remember_more(qtr_bound *bound, double goal) {
   if (!qtr_gains_remember_more(&bound->gains)) return false;
   bound->rounds++;
   bound->upper_before = bound->upper;
-  return begin_cuts(bound);
+  begin_cuts(bound); /* stopped: the next step begins them */
+  return true;
 }
 
 bool qtr_bound_improve(qtr_bound *bound, double goal) {

@@ -44,12 +44,13 @@ typedef struct {
 
 /* Start from a known play: the visits of each target's places set its price, the last visit sets the horizon. The
  * environment must be without regions and outlive the bound, as must the block, qtr_gains_bytes() aligned for a
- * qtr_gain. Stopped by the mission's watch, `upper` is what the nearest seekers could collect all at once: valid, and
+ * double. Stopped by the mission's watch, `upper` is what the nearest seekers could collect all at once: valid, and
  * not tight. */
 void qtr_bound_init(qtr_bound *bound, void *block, const qtr_environment *environment, const qtr_steps *visit);
 
 /* One step of the prices towards `goal`, the worth of the best play known. False when more steps are of no use; the
- * best prices are then in force. A stop changes nothing, and the step can be taken again. */
+ * best prices are then in force. After a stop neither bound nor prices have changed, and the step can be taken
+ * again. */
 bool qtr_bound_improve(qtr_bound *bound, double goal);
 
 /* Put the best prices in force, whatever was being tried. False: stopped, and no states can be bounded before it is

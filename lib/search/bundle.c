@@ -5,17 +5,17 @@
 
 #include "model/rounding.h"
 
-#define SWEEPS 60u
+#define SWEEPS 60u /* over the weights: what they have not found by then is as good as not there */
 
 void qtr_bundle_init(qtr_bundle *bundle, unsigned size) {
   bundle->cuts = 0;
   bundle->size = (uint16_t)size;
 }
 
-static int32_t dot(const qtr_bundle *bundle, unsigned i, unsigned j) {
-  int32_t sum = 0;
-  for (unsigned k = 0; k < bundle->size; k++) sum += (int32_t)bundle->slope[i][k] * bundle->slope[j][k];
-  return sum;
+static float dot(const qtr_bundle *bundle, unsigned i, unsigned j) {
+  double sum = 0.0;
+  for (unsigned k = 0; k < bundle->size; k++) sum += (double)bundle->slope[i][k] * (double)bundle->slope[j][k];
+  return (float)sum;
 }
 
 /* As many as hold a least value in place, and no more in a larger build. */

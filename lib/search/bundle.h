@@ -17,9 +17,9 @@
 typedef struct {
   uint16_t size; /* coordinates */
   uint8_t cuts;
-  double value[QTR_MAX_CUTS];               /* of each cut at the center */
-  double weight[QTR_MAX_CUTS];              /* how much it held the last step back: 0 or more */
-  int32_t gram[QTR_MAX_CUTS][QTR_MAX_CUTS]; /* slope . slope */
+  double value[QTR_MAX_CUTS];             /* of each cut at the center */
+  double weight[QTR_MAX_CUTS];            /* how much it held the last step back: 0 or more */
+  float gram[QTR_MAX_CUTS][QTR_MAX_CUTS]; /* slope . slope */
   int16_t slope[QTR_MAX_CUTS][QTR_MAX_PLACES];
 } qtr_bundle;
 
@@ -29,11 +29,11 @@ void qtr_bundle_init(qtr_bundle *bundle, unsigned size);
 /* Add a cut, known by its value at the center and its slope. One that says little makes room for it. */
 void qtr_bundle_add(qtr_bundle *bundle, double value, const int16_t *slope);
 
-/* The center moves. */
+/* The center moves by a step, one number a coordinate. */
 void qtr_bundle_move(qtr_bundle *bundle, const double *step);
 
-/* The shortest step from the center to where no cut is above `level`, as near as to `slack`. False: as far as was
- * looked there is no such point. */
+/* The shortest step, one number a coordinate, from the center to where no cut is above `level` by more than `slack`.
+ * False: as far as was looked there is no such point, and the step is of no use. */
 bool qtr_bundle_step(qtr_bundle *bundle, double level, double slack, double *step);
 
 #endif

@@ -84,8 +84,8 @@ static qtr_steps shortest_apart(const qtr_gains *gains) {
   return shortest;
 }
 
-/* The steps that slots are to reach, further than the last visit of the play known: beyond the deadline nothing is
- * worth anything, and that is what counts there. */
+/* The steps that slots are to reach, a quarter further than the last visit of the play known: beyond the deadline
+ * nothing is worth anything, and that is what counts there. */
 static uint64_t horizon_of(const qtr_gains *gains, qtr_steps last_visit) {
   const qtr_objective *objective = &gains->game->objective;
   uint64_t horizon = (uint64_t)last_visit * 5 / 4 + gains->environment->board.keys.longest + 2;
@@ -110,8 +110,8 @@ static float share_below(double share) {
   return (double)nearest > share ? nextafterf(nearest, 0.0f) : nearest;
 }
 
-/* Slots as long as the horizon asks for, but never longer than the shortest way between two targets: a walk must move
- * on in time. */
+/* Slots as long as the horizon asks for, but never longer than the shortest way between two targets, or a walk would
+ * not move on in time. */
 static void cut_slots(qtr_gains *gains, qtr_steps last_visit) {
   const qtr_steps shortest = shortest_apart(gains);
   /* Places lie on different cells, and each step takes one of time; so do looks at one place. */
@@ -174,8 +174,9 @@ static bool add_neighbours(qtr_gains *gains) {
         (uint64_t)qtr_near_memories(&gains->near, target) * qtr_targets_size(&gains->environment->targets, target);
     const unsigned neighbour = next_neighbour(gains, target);
     if (neighbour == QTR_STAND_DOWN || row + more > room) continue;
-    added |= qtr_near_add(&gains->near, target, neighbour);
+    if (!qtr_near_add(&gains->near, target, neighbour)) continue;
     row += more;
+    added = true;
   }
   return added;
 }
@@ -367,7 +368,8 @@ static void list_ways(const qtr_gains *gains, unsigned kind, uint32_t slot, unsi
   }
 }
 
-/* What a walk with a memory at `place` collects that goes on to `target`; less than all if it remembers that. */
+/* What a walk with a memory at `place` collects that goes on to `target`; -HUGE_VAL if it has been there, as far as it
+ * remembers. */
 static double go_on(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, qtr_memory memory,
                     unsigned target) {
   const unsigned here = target_of(gains, place);

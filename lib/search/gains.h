@@ -89,11 +89,13 @@ static inline bool qtr_gains_in_time(const qtr_gains *gains, unsigned kind, unsi
 /* Where a step lies: in a slot, at its first step (share 0), or so far on the line to the next one. */
 typedef struct {
   uint32_t slot;
-  double share;
+  double share; /* 0..1 */
 } qtr_moment;
 
+/* The share of a step that lies `into` steps into a slot, 0 to slot_steps - 1; always 0 with a clock. */
 double qtr_gains_share(const qtr_gains *gains, uint32_t slot, qtr_steps into);
 
+/* Slots past the last one are any numbers: qtr_gains_in() knows them for late. */
 static inline qtr_moment qtr_gains_when(const qtr_gains *gains, qtr_steps when) {
   qtr_moment moment = {when, 0.0};
   if (gains->slot_steps == 1) return moment;
@@ -102,6 +104,7 @@ static inline qtr_moment qtr_gains_when(const qtr_gains *gains, qtr_steps when) 
   return moment;
 }
 
+/* The gains of a kind in a slot, an entry for each place and memory. */
 static inline const double *qtr_gains_in(const qtr_gains *gains, unsigned kind, uint32_t slot) {
   return gains->gain + ((size_t)kind * (gains->slots + 1) + (slot < gains->slots ? slot : gains->slots)) * gains->row;
 }

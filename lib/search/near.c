@@ -14,6 +14,7 @@ void qtr_near_init(qtr_near *near, qtr_memory *bit, unsigned targets) {
 
 bool qtr_near_add(qtr_near *near, unsigned target, unsigned neighbour) {
   const unsigned i = near->count[target];
+  /* A walk does not stay where it is: what is remembered is where else it has been, each place by one bit. */
   QTR_ASSERT(target != neighbour && qtr_near_bit(near, target, neighbour) == 0);
   if (i == QTR_NEAR_MOST) return false;
   near->near[target][i] = (uint16_t)neighbour;
