@@ -8,10 +8,11 @@
 
 QTR_C_BEGIN
 
-/* Bytes that the table takes. */
+/* Bytes that the table takes; 0 for a game by legs (quarter/game.h), which has none. */
 uint32_t qtr_export_size(const qtr_learner *learner);
 
-/* Write it to `bytes`, which holds `size`, as qtr_table_write() does and with what that returns. */
+/* Write it to `bytes`, which holds `size`, as qtr_table_write() does and with what that returns; QTR_ERR_ARGUMENT for a
+ * game by legs. */
 int32_t qtr_export(qtr_learner *learner, uint8_t *bytes, uint32_t size);
 
 QTR_C_END

@@ -30,6 +30,7 @@ typedef struct {
   uint16_t first_at[QTR_MAX_SEEKERS];                               /* of each distinct start, the first seeker there */
   qtr_box used;      /* part of the map where there is a way to a place, or a start */
   uint16_t measured; /* places to which the travel times are known: all, but after a stop */
+  bool by_legs;      /* there is no map, and a way by way of other places may be sooner than the direct one */
 } qtr_game;
 
 /* A moment of the game. */
@@ -56,6 +57,24 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_travel *
   qtr_game_init_known_built(game, mission, known, place, start_of, QTR_CONFIG_ID)
 int qtr_game_init_known_built(qtr_game *game, const qtr_mission *mission, const qtr_board *known, const uint16_t *place,
                               const uint16_t *start_of, uint32_t config_id);
+
+/* Legs: travel times of a problem that has no map, between places and from its starts, one row of places for each place
+ * and then for each start. They are taken as they are: who goes from one place to another passes by no third one on its
+ * way, though by way of that it may be sooner there. */
+typedef struct {
+  unsigned starts;        /* rows behind the places' */
+  const qtr_steps *steps; /* above 0 between two places; QTR_NEVER: no way */
+  const qtr_steps *home;  /* a row of places for each start: the ways home to it. NULL where nobody must come home */
+} qtr_legs;
+
+/* As qtr_game_init() of a mission without a map, whose columns and rows are 0: the start of seeker i is the legs' start
+ * number start[i]. The legs are copied. QTR_OK and errors as there; QTR_ERR_ARGUMENT for the paper's rule, several
+ * classes, scan times, places avoided and second looks, for a start that there is not, for two places 0 steps apart and
+ * for ways home that are missing. No table can be exported of such a game, nor can it be aggregated. */
+#define qtr_game_init_legs(game, mission, legs, culprit)                                                               \
+  qtr_game_init_legs_built(game, mission, legs, culprit, QTR_CONFIG_ID)
+int qtr_game_init_legs_built(qtr_game *game, const qtr_mission *mission, const qtr_legs *legs, int *culprit,
+                             uint32_t config_id);
 
 /* The cell of one of the board's starts. */
 static inline qtr_cell qtr_game_start_cell(const qtr_game *game, unsigned start) {

@@ -125,6 +125,7 @@ static bool is_for_regions(const qtr_game *game) {
 }
 
 static int check_terms(const qtr_environment *e, const qtr_aggregation *how) {
+  if (e->game->by_legs && how != NULL && (e->aggregated || how->rule != QTR_RULE_FREE)) return QTR_ERR_ARGUMENT;
   if (!e->aggregated) return QTR_OK;
   return is_for_spots(e->game) && (how->regions == NULL || is_for_regions(e->game)) ? QTR_OK : QTR_ERR_ARGUMENT;
 }

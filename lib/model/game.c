@@ -284,19 +284,25 @@ static int check_starts(const qtr_mission *mission, int *culprit) {
   return QTR_OK;
 }
 
-/* Everything but travel times. */
-static int begin(qtr_game *game, const qtr_mission *mission, int *culprit) {
-  const int status = check_starts(mission, culprit);
-  if (status != QTR_OK) return status;
+/* Everything but travel times. False if the looks are more than the build holds. */
+static bool set_up(qtr_game *game, const qtr_mission *mission) {
   game->mission = mission;
+  game->by_legs = false;
   game->board.seekers = mission->seekers;
   game->board.rule = mission->rule;
   game->board.step_bytes = 4;
   game->board.steps = game->steps;
   find_starts(game);
-  if (!list_looks(game)) return QTR_ERR_LIMIT;
+  if (!list_looks(game)) return false;
   set_terms(game);
-  return QTR_OK;
+  return true;
+}
+
+/* The same on a map. */
+static int begin(qtr_game *game, const qtr_mission *mission, int *culprit) {
+  const int status = check_starts(mission, culprit);
+  if (status != QTR_OK) return status;
+  return set_up(game, mission) ? QTR_OK : QTR_ERR_LIMIT;
 }
 
 /* Once there are travel times. */
@@ -326,6 +332,61 @@ int qtr_game_init_known_built(qtr_game *game, const qtr_mission *mission, const 
   if (comes_home(game)) return QTR_ERR_ARGUMENT;
   copy_travel(game, known, place, start_of);
   return finish(game, NULL);
+}
+
+/* ---- legs ---- */
+
+/* Of the terms those alone that need no map and leave one matrix for all. */
+static int check_legs(const qtr_mission *mission, const qtr_legs *legs, int *culprit) {
+  const qtr_robot_class *all = &mission->robot_class[0];
+  const bool homes = mission->aim.home_weight > 0.0 || all->endurance != QTR_NEVER;
+  if (mission->columns != 0 || mission->rows != 0 || mission->classes != 1) return QTR_ERR_ARGUMENT;
+  if (mission->rule != QTR_RULE_FREE || (homes && legs->home == NULL)) return QTR_ERR_ARGUMENT;
+  if (mission->places > QTR_MAX_PLACES || mission->seekers > QTR_MAX_SEEKERS) return QTR_ERR_LIMIT;
+  for (unsigned i = 0; i < mission->seekers; i++)
+    if (mission->start[i] >= legs->starts) return QTR_ERR_ARGUMENT;
+  for (unsigned place = 0; place < mission->places; place++) {
+    if (culprit != NULL) *culprit = (int)place;
+    if (all->scan[place] > 0 || qtr_places_has(&all->avoided, place)) return QTR_ERR_ARGUMENT;
+    if (mission->looks[place] > 1 && mission->detection[place] < 1.0) return QTR_ERR_ARGUMENT;
+    for (unsigned from = 0; from < mission->places; from++)
+      if (from != place && legs->steps[(size_t)from * mission->places + place] == 0) return QTR_ERR_ARGUMENT;
+  }
+  return QTR_OK;
+}
+
+/* A seeker's start among the legs'. */
+static const qtr_steps *start_row(const qtr_game *game, const qtr_steps *rows, unsigned seeker) {
+  return rows + (size_t)game->mission->start[seeker] * game->board.places;
+}
+
+static void copy_legs(qtr_game *game, const qtr_legs *legs) {
+  const unsigned places = game->board.places;
+  const qtr_steps *starts = legs->steps + (size_t)places * places;
+  uint8_t *at = game->steps;
+  for (unsigned node = 0; node < places + game->board.starts; node++) {
+    const qtr_steps *row =
+        node < places ? legs->steps + (size_t)node * places : start_row(game, starts, game->first_at[node - places]);
+    for (unsigned to = 0; to < places; to++, at += 4) qtr_store32(at, node == to ? 0 : row[to]);
+  }
+#if QTR_TERMS
+  for (unsigned i = 0; comes_home(game) && i < game->board.seekers; i++)
+    for (unsigned place = 0; place < places; place++)
+      qtr_store32(game->home + 4 * ((size_t)i * places + place), start_row(game, legs->home, i)[place]);
+#endif
+}
+
+int qtr_game_init_legs_built(qtr_game *game, const qtr_mission *mission, const qtr_legs *legs, int *culprit,
+                             uint32_t config_id) {
+  if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
+  const int status = check_legs(mission, legs, culprit);
+  if (status != QTR_OK) return status;
+  if (!set_up(game, mission)) return QTR_ERR_LIMIT;
+  copy_legs(game, legs);
+  game->by_legs = true;
+  game->used = (qtr_box){0, 0, 0, 0};
+  game->measured = mission->places;
+  return finish(game, culprit);
 }
 
 /* ---- rewards ---- */

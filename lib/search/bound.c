@@ -72,8 +72,8 @@ static double upper_at_once(const qtr_bound *bound) {
   for (unsigned place = 0; place < board->places; place++) {
     qtr_steps soonest = QTR_NEVER;
     for (unsigned i = 0; i < board->seekers; i++) {
-      const qtr_steps way =
-          qtr_gains_travel(&bound->gains, bound->gains.kind_of[i], (unsigned)board->places + board->start_of[i])[place];
+      const qtr_steps way = qtr_gains_soonest(&bound->gains, bound->gains.kind_of[i],
+                                              (unsigned)board->places + board->start_of[i])[place];
       if (way == QTR_NEVER) continue;
       const qtr_steps when = qtr_board_ready(board, i) + way;
       if (when < soonest && qtr_gains_in_time(&bound->gains, bound->gains.kind_of[i], place, when)) soonest = when;
@@ -209,7 +209,8 @@ static inline bool is_free(const qtr_situation *after, unsigned target) {
 typedef struct {
   unsigned kind, node;
   qtr_steps when;
-  const qtr_steps *travel; /* from there */
+  const qtr_steps *travel;  /* from there */
+  const qtr_steps *soonest; /* the same by way of other places */
 } free_seeker;
 
 typedef struct {
@@ -226,6 +227,7 @@ static void muster(crew *in, const qtr_bound *bound, const qtr_situation *after)
     seeker->node = qtr_environment_exit(bound->environment, after, i);
     seeker->when = after->joint.now + after->joint.remaining[i];
     seeker->travel = qtr_gains_travel(&bound->gains, seeker->kind, seeker->node);
+    seeker->soonest = qtr_gains_soonest(&bound->gains, seeker->kind, seeker->node);
   }
 }
 
@@ -250,7 +252,7 @@ static qtr_steps soonest(const qtr_bound *bound, const crew *in, unsigned place)
   qtr_steps least = QTR_NEVER;
   for (unsigned i = 0; i < in->count; i++) {
     const free_seeker *seeker = &in->seeker[i];
-    const qtr_steps way = seeker->node == place ? 0 : seeker->travel[place];
+    const qtr_steps way = seeker->node == place ? 0 : seeker->soonest[place];
     if (way == QTR_NEVER || seeker->when + way >= least) continue;
     if (qtr_gains_in_time(&bound->gains, seeker->kind, place, seeker->when + way)) least = seeker->when + way;
   }

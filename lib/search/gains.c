@@ -5,6 +5,7 @@
 #include "model/rounding.h"
 #include "quarter/status.h"
 #include "robot/board.h"
+#include "search/closure.h"
 
 #define WATCH_SLOTS 32u /* filled from one asking of the watch to the next */
 #define FINE_SLOTS 512u /* as many are enough where nothing depends on the clock */
@@ -242,7 +243,7 @@ size_t qtr_gains_bytes(const qtr_game *game) {
   const size_t places = game->board.places;
   return kinds * places *
              (QTR_BOUND_SLOTS * QTR_GAINS_PER_SLOT * sizeof(double) + sizeof(qtr_gains_way) * places +
-              sizeof(qtr_steps) * (places + game->board.starts)) +
+              (game->by_legs ? 2 : 1) * sizeof(qtr_steps) * (places + game->board.starts)) +
          places * places * sizeof(qtr_memory);
 }
 
@@ -252,7 +253,8 @@ static void lay_out(qtr_gains *gains, void *block) {
   gains->gain = block;
   gains->way = (qtr_gains_way *)(gains->gain + QTR_BOUND_SLOTS * QTR_GAINS_PER_SLOT * all);
   gains->travel = (qtr_steps *)(gains->way + all * places_of(gains));
-  qtr_near_init(&gains->near, (qtr_memory *)(gains->travel + all * nodes_of(gains)), targets_of(gains));
+  gains->soonest = gains->game->by_legs ? gains->travel + all * nodes_of(gains) : gains->travel;
+  qtr_near_init(&gains->near, (qtr_memory *)(gains->soonest + all * nodes_of(gains)), targets_of(gains));
 }
 
 static void unpack_travel(qtr_gains *gains) {
@@ -261,6 +263,15 @@ static void unpack_travel(qtr_gains *gains) {
       for (unsigned place = 0; place < places_of(gains); place++)
         qtr_gains_travel(gains, kind, node)[place] =
             qtr_board_steps(&gains->game->board, seeker_of(gains, kind), node, place);
+}
+
+static void find_soonest(qtr_gains *gains) {
+  const size_t all = (size_t)gains->kinds * places_of(gains) * nodes_of(gains);
+  if (!gains->game->by_legs) return;
+  for (size_t i = 0; i < all; i++) gains->soonest[i] = gains->travel[i];
+  for (unsigned kind = 0; kind < gains->kinds; kind++)
+    qtr_closure_fill(gains->soonest + (size_t)kind * nodes_of(gains) * places_of(gains), nodes_of(gains),
+                     places_of(gains));
 }
 
 void qtr_gains_init(qtr_gains *gains, void *block, const qtr_environment *environment) {
@@ -272,6 +283,7 @@ void qtr_gains_init(qtr_gains *gains, void *block, const qtr_environment *enviro
   gains->clocked = gains->game->board.terms.end != NULL || gains->game->objective.kind == QTR_DEADLINE;
   lay_out(gains, block);
   unpack_travel(gains);
+  find_soonest(gains);
 }
 
 /* ---- the walks of one seeker ---- */

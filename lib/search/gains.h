@@ -42,12 +42,14 @@ typedef struct {
   double *gain;       /* a row a slot, and one for what is past the last slot */
   qtr_gains_way *way; /* a row of targets a place */
   qtr_steps *travel;  /* a row of places a node: as in the game, unpacked */
+  qtr_steps
+      *soonest; /* the same by way of other places, where that is sooner; on a map it never is, and these are one */
 } qtr_gains;
 
-/* Bytes of the block that the gains and times of a game take. */
+/* Bytes of the block that the gains and times of a game take. A game by legs has two tables of times. */
 size_t qtr_gains_bytes(const qtr_game *game);
 
-/* At most, for games of so many kinds of seekers. */
+/* At most, for games on a map of so many kinds of seekers. */
 #define QTR_GAINS_PER_SLOT 3u /* and place, that the block has room for */
 #define QTR_GAINS_BYTES(kinds)                                                                                         \
   ((kinds) * (size_t)QTR_MAX_PLACES *                                                                                  \
@@ -123,6 +125,12 @@ static inline double qtr_gains_at(const qtr_gains *gains, unsigned kind, unsigne
 static inline qtr_steps *qtr_gains_travel(const qtr_gains *gains, unsigned kind, unsigned node) {
   const size_t places = gains->game->board.places;
   return gains->travel + (kind * (places + gains->game->board.starts) + node) * places;
+}
+
+/* Steps after which it can be at each place at the soonest, whatever it visits on the way. */
+static inline const qtr_steps *qtr_gains_soonest(const qtr_gains *gains, unsigned kind, unsigned node) {
+  const size_t places = gains->game->board.places;
+  return gains->soonest + (kind * (places + gains->game->board.starts) + node) * places;
 }
 
 #endif

@@ -52,6 +52,7 @@ static qtr_table_content content_of(const qtr_learner *learner, qtr_cell *start,
 uint32_t qtr_export_size(const qtr_learner *learner) {
   qtr_cell start[QTR_MAX_SEEKERS];
   qtr_certificate certificate;
+  if (learner->game->by_legs) return 0;
   const qtr_table_content content = content_of(learner, start, &certificate);
   return qtr_table_size(&content);
 }
@@ -60,6 +61,7 @@ uint32_t qtr_export_size(const qtr_learner *learner) {
 int32_t qtr_export(qtr_learner *learner, uint8_t *bytes, uint32_t size) {
   qtr_cell start[QTR_MAX_SEEKERS];
   qtr_certificate certificate;
+  if (learner->game->by_legs) return QTR_ERR_ARGUMENT;
   collect_records(learner);
   const qtr_table_content content = content_of(learner, start, &certificate);
   return qtr_table_write(&content, bytes, size);
