@@ -336,21 +336,34 @@ int qtr_game_init_known_built(qtr_game *game, const qtr_mission *mission, const 
 
 /* ---- legs ---- */
 
+/* A place to which legs are no more than steps: no scans there, no second looks, nobody keeps out. */
+static bool is_for_legs(const qtr_mission *mission, unsigned place) {
+  const qtr_robot_class *all = &mission->robot_class[0];
+  const bool looked_at_again = mission->looks[place] > 1 && mission->detection[place] < 1.0;
+  return all->scan[place] == 0 && !qtr_places_has(&all->avoided, place) && !looked_at_again;
+}
+
+static bool is_apart(const qtr_mission *mission, const qtr_legs *legs, unsigned place) {
+  for (unsigned from = 0; from < mission->places; from++)
+    if (from != place && legs->steps[(size_t)from * mission->places + place] == 0) return false;
+  return true;
+}
+
+static bool seekers_are_for_legs(const qtr_mission *mission, const qtr_legs *legs) {
+  const bool come_home = mission->aim.home_weight > 0.0 || mission->robot_class[0].endurance != QTR_NEVER;
+  for (unsigned i = 0; i < mission->seekers; i++)
+    if (mission->start[i] >= legs->starts) return false;
+  return mission->classes == 1 && (!come_home || legs->home != NULL);
+}
+
 /* Of the terms those alone that need no map and leave one matrix for all. */
 static int check_legs(const qtr_mission *mission, const qtr_legs *legs, int *culprit) {
-  const qtr_robot_class *all = &mission->robot_class[0];
-  const bool homes = mission->aim.home_weight > 0.0 || all->endurance != QTR_NEVER;
-  if (mission->columns != 0 || mission->rows != 0 || mission->classes != 1) return QTR_ERR_ARGUMENT;
-  if (mission->rule != QTR_RULE_FREE || (homes && legs->home == NULL)) return QTR_ERR_ARGUMENT;
   if (mission->places > QTR_MAX_PLACES || mission->seekers > QTR_MAX_SEEKERS) return QTR_ERR_LIMIT;
-  for (unsigned i = 0; i < mission->seekers; i++)
-    if (mission->start[i] >= legs->starts) return QTR_ERR_ARGUMENT;
+  if (qtr_mission_cells(mission) != 0 || mission->rule != QTR_RULE_FREE) return QTR_ERR_ARGUMENT;
+  if (!seekers_are_for_legs(mission, legs)) return QTR_ERR_ARGUMENT;
   for (unsigned place = 0; place < mission->places; place++) {
     if (culprit != NULL) *culprit = (int)place;
-    if (all->scan[place] > 0 || qtr_places_has(&all->avoided, place)) return QTR_ERR_ARGUMENT;
-    if (mission->looks[place] > 1 && mission->detection[place] < 1.0) return QTR_ERR_ARGUMENT;
-    for (unsigned from = 0; from < mission->places; from++)
-      if (from != place && legs->steps[(size_t)from * mission->places + place] == 0) return QTR_ERR_ARGUMENT;
+    if (!is_for_legs(mission, place) || !is_apart(mission, legs, place)) return QTR_ERR_ARGUMENT;
   }
   return QTR_OK;
 }

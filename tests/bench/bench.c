@@ -1,6 +1,7 @@
 /* The benchmarks: what the project promises, measured on the machine at hand and printed beside the target. Nothing
  * here is a test; a slow machine fails nothing. `--clone` also times a fresh clone up to its certified demo policy;
- * `--takeover` measures what robots do for one that is lost, and nothing else. */
+ * `--takeover` measures what robots do for one that is lost, `--instances` learns those of the literature, and nothing
+ * else. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +10,8 @@
 #include <unistd.h>
 
 #include "bench.h"
+#include "field/asked.h"
+#include "field/instances.h"
 #include "host/base/clock.h"
 #include "host/input/read.h"
 #include "support/scattered.h"
@@ -180,22 +183,13 @@ static void bench_clone(void) {
     printf("clone to certified policy: failed\n");
 }
 
-/* One of these words, or none: 0, or 2 with a line on what there is. */
-static int read_words(int argc, char **argv, bool *clone, bool *takeover, bool *as_json) {
-  for (int i = 1; i < argc; i++) {
-    *clone = *clone || strcmp(argv[i], "--clone") == 0;
-    *takeover = *takeover || strcmp(argv[i], "--takeover") == 0;
-    *as_json = *as_json || strcmp(argv[i], "--json") == 0;
-  }
-  if (argc - 1 == *clone + *takeover + *as_json && (!*as_json || *takeover)) return 0;
-  fprintf(stderr, "bench: give --clone, or --takeover, with --json or without, or nothing\n");
-  return 2;
-}
-
 int main(int argc, char **argv) {
-  bool clone = false, takeover = false, as_json = false;
-  if (read_words(argc, argv, &clone, &takeover, &as_json) != 0) return 2;
-  if (takeover) return bench_takeover(as_json);
+  static fault why;
+  bench_asked asked;
+  if (bench_ask(&asked, argc, argv, &why) != 0) return bench_fail(&why);
+  if (asked.help) return bench_help(stdout);
+  if (asked.takeover) return bench_takeover(asked.json);
+  if (asked.instances != NULL) return bench_instances(stdout, &asked);
   bench_large();
   bench_reference();
   bench_random(30, 12, 2, 50, 60.0, "  (target: 0.05 s)");
@@ -207,6 +201,6 @@ int main(int argc, char **argv) {
   bench_entry(30, 20, 2, "(target, host: at most 24)");
   bench_entry(40, 60, 8, "(target, host: at most 24)");
   bench_entry(32, 16, 4, "(target, mcu: at most 16)");
-  if (clone) bench_clone();
+  if (asked.clone) bench_clone();
   return 0;
 }

@@ -324,7 +324,7 @@ static void test_legs_of_no_length_and_terms_that_need_a_map_are_refused(void) {
   mission.start[0] = 1;
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, init());
   line_of_three();
-  mission.columns = 1;
+  mission.columns = mission.rows = 1;
   TEST_ASSERT_EQUAL_INT(QTR_ERR_ARGUMENT, init());
 }
 
