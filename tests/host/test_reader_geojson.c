@@ -75,6 +75,22 @@ static void test_polygons_are_spread_over_tiles(void) {
   expect_place(4, 4, 3, 2.0);
 }
 
+/* Of tiles of 2 cells one area takes a column, the second one a single tile, and the third has no name. */
+static void test_tiles_of_polygons_are_named_by_them(void) {
+  scratch_write(
+      "p.json",
+      FILE_OF(FEATURE("Polygon", "[[[0,0],[2,0],[2,4],[0,4],[0,0]]]", "{\"weight\":8,\"name\":\"Wood\"}") "," FEATURE(
+          "Polygon", "[[[2,2],[4,2],[4,4],[2,4],[2,2]]]",
+          "{\"weight\":2,\"name\":\"Barn\"}") "," FEATURE("Polygon", "[[[2,0],[4,0],[4,2],[2,2],[2,0]]]",
+                                                          "{\"weight\":1}")));
+  scratch_read("m.yaml");
+  TEST_ASSERT_EQUAL_INT(4, scratch_input.mission.places);
+  TEST_ASSERT_EQUAL_STRING("Wood A2", scratch_input.names.place[0]);
+  TEST_ASSERT_EQUAL_STRING("Wood A1", scratch_input.names.place[1]);
+  TEST_ASSERT_EQUAL_STRING("Barn", scratch_input.names.place[2]);
+  TEST_ASSERT_EQUAL_STRING("B1", scratch_input.names.place[3]);
+}
+
 static double sum_of_weights(void) {
   double sum = 0.0;
   for (int place = 0; place < scratch_input.mission.places; place++) sum += scratch_input.mission.weight[place];
@@ -196,6 +212,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_points_are_places_with_weights_and_names);
   RUN_TEST(test_polygons_are_spread_over_tiles);
+  RUN_TEST(test_tiles_of_polygons_are_named_by_them);
   RUN_TEST(test_of_an_area_that_leaves_the_map_a_part_counts);
   RUN_TEST(test_a_feature_or_geometry_alone_is_read);
   RUN_TEST(test_no_go_areas_of_a_file);

@@ -61,6 +61,19 @@ static void test_the_likeliest_tiles_are_taken_until_they_cover_the_share(void) 
   TEST_ASSERT_EQUAL_INT(4, scratch_input.mission.places);
 }
 
+/* By column and row from the lower left, whichever of them are taken, and in which order. */
+static void test_tiles_are_named_by_where_they_lie(void) {
+  scratch_write("p.asc", GRID "4 0 3 0 0 0\n0 0 0 0 0 0\n2 0 1 0 0 0\n0 0 0 0 0 0\n");
+  write_mission("a.txt", "{file: p.asc, footprint: 2, share: 0.7}");
+  scratch_read("m.yaml");
+  TEST_ASSERT_EQUAL_STRING("A2", scratch_input.names.place[0]);
+  TEST_ASSERT_EQUAL_STRING("B2", scratch_input.names.place[1]);
+  scratch_write("p.asc", GRID "4 0 9 0 0 0\n0 0 0 0 0 0\n7 0 1 0 0 0\n0 0 0 0 0 0\n");
+  scratch_read("m.yaml");
+  TEST_ASSERT_EQUAL_STRING("B2", scratch_input.names.place[0]);
+  TEST_ASSERT_EQUAL_STRING("A1", scratch_input.names.place[1]);
+}
+
 static void test_what_no_robot_gets_to_is_told_and_not_counted(void) {
   scratch_write("p.asc", GRID "4 0 0 0 0 12\n0 0 0 0 0 0\n0 0 0 0 0 0\n0 0 0 0 0 0\n");
   scratch_read("m.yaml");
@@ -263,6 +276,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_a_grid_becomes_a_place_a_tile_at_the_middle_of_its_mass);
   RUN_TEST(test_the_likeliest_tiles_are_taken_until_they_cover_the_share);
+  RUN_TEST(test_tiles_are_named_by_where_they_lie);
   RUN_TEST(test_what_no_robot_gets_to_is_told_and_not_counted);
   RUN_TEST(test_what_some_classes_alone_get_to_is_left_to_them_and_told);
   RUN_TEST(test_a_grid_that_leaves_ground_out_is_told);

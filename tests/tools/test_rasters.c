@@ -27,6 +27,21 @@ static void test_a_raster_is_learnt_as_its_tiles_are_when_they_are_listed(void) 
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "2 places of 3 tiles hold 93.33 % of the likelihood within reach"), r.out);
 }
 
+/* Seven columns and four rows of tiles: a replan without one of them calls the others what they were called. */
+static void test_places_of_a_raster_keep_their_names(void) {
+  run_tool(&r, "learn raster.yaml -o all.qtr");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "F4 (step"), r.out);
+  run_tool(&r, "learn raster.yaml --clear F4 --against all.qtr -o rest.qtr");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, r.status, r.err);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, ": A1 (step 3)"), r.out);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(r.out, "gone: F4\n"), r.out);
+  run_tool(&r, "export rest.qtr --places -o ways.csv");
+  char ways[500];
+  read_text("ways.csv", ways, sizeof ways);
+  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(ways, ",A1,0,3,"), ways);
+}
+
 static void test_a_raster_that_does_not_lie_on_the_map_is_refused(void) {
   write_file("likely.asc", "ncols 1\nnrows 1\nxllcorner 70\nyllcorner 0\ncellsize 1\n1\n");
   run_tool(&r, "learn raster.yaml -o none.qtr");
@@ -68,6 +83,7 @@ static void test_barred_and_rough_ground_is_gone_round(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_a_raster_is_learnt_as_its_tiles_are_when_they_are_listed);
+  RUN_TEST(test_places_of_a_raster_keep_their_names);
   RUN_TEST(test_a_raster_that_does_not_lie_on_the_map_is_refused);
   RUN_TEST(test_points_of_a_geojson_are_learnt_as_they_are_when_they_are_listed);
   RUN_TEST(test_barred_and_rough_ground_is_gone_round);

@@ -15,8 +15,10 @@ typedef struct {
   double footprint; /* 0: none is given */
   double *mass;     /* of the cells of polygons */
   uint8_t *mask;
-  double off; /* mass of polygons that lies off the map */
-  bool areas; /* there are any */
+  double off;      /* mass of polygons that lies off the map */
+  tile_area *area; /* they, as they come */
+  uint32_t areas;
+  uint32_t *area_of; /* of each cell, from 1: the first that lies over it; 0: none */
 } reading;
 
 /* ---- properties ---- */
@@ -62,6 +64,16 @@ static double share_on_map(const geojson *g) {
   return share > 0.0 && share < 1.0 - 1e-9 ? share : 1.0;
 }
 
+/* One more, by its name. */
+static int note_area(reading *r, const char *name, fault *why) {
+  tile_area *more = realloc(r->area, (r->areas + 1) * sizeof *more);
+  if (more == NULL) return fault_set(why, "no memory for the areas");
+  r->area = more;
+  r->area[r->areas] = (tile_area){.tiles = 0};
+  memcpy(r->area[r->areas++].name, name, sizeof r->area->name);
+  return 0;
+}
+
 static int add_area(reading *r, geojson *g, const geojson_feature *f) {
   const size_t cells = qtr_mission_cells(&r->in->mission);
   mission_site stated;
@@ -70,14 +82,16 @@ static int add_area(reading *r, geojson *g, const geojson_feature *f) {
                       "feature %d is an area, and 'places_geojson' has no footprint that cuts it into places; add "
                       "\"footprint: 5\"",
                       f->index);
-  if (read_properties(&stated, g, f)) return -1;
+  if (read_properties(&stated, g, f) || note_area(r, stated.it.name, g->file.why)) return -1;
   const long count = geojson_mark(g, f, r->mask, true);
   if (count < 0) return -1;
   const double on = share_on_map(g), weight = stated.it.weight;
-  for (size_t cell = 0; cell < cells; cell++)
-    if (r->mask[cell] != 0) r->mass[cell] += weight * on / (double)count;
+  for (size_t cell = 0; cell < cells; cell++) {
+    if (r->mask[cell] == 0) continue;
+    r->mass[cell] += weight * on / (double)count;
+    if (r->area_of[cell] == 0) r->area_of[cell] = r->areas;
+  }
   r->off += weight * (1.0 - on);
-  r->areas = true;
   return 0;
 }
 
@@ -96,8 +110,11 @@ static int add_tiles(reading *r, const mission_raster *key, tree *yaml, tree_nod
                                    .share = key->share,
                                    .path = yaml->path,
                                    .line = tree_line(node),
-                                   .origin = origin};
-  return r->areas ? tiles_add(r->in, &settings, yaml->why) : 0;
+                                   .origin = origin,
+                                   .file = r->in->geojson,
+                                   .area_of = r->area_of,
+                                   .area = r->area};
+  return r->areas > 0 ? tiles_add(r->in, &settings, yaml->why) : 0;
 }
 
 static int add_places(reading *r, const mission_raster *key, tree *yaml, tree_node *node) {
@@ -123,8 +140,12 @@ int geoplaces_read(input *in, tree *yaml, tree_node *root) {
   reading r = {.in = in, .footprint = key.footprint};
   r.mass = memory_take(cells * sizeof *r.mass, yaml->why);
   r.mask = memory_take(cells, yaml->why);
-  const int result = r.mass == NULL || r.mask == NULL ? -1 : add_places(&r, &key, yaml, node);
+  r.area_of = memory_take(cells * sizeof *r.area_of, yaml->why);
+  const bool has_memory = r.mass != NULL && r.mask != NULL && r.area_of != NULL;
+  const int result = has_memory ? add_places(&r, &key, yaml, node) : -1;
   free(r.mass);
   free(r.mask);
+  free(r.area_of);
+  free(r.area);
   return result;
 }

@@ -68,7 +68,8 @@ static int add_tiles(input *in, const raster *it, const mission_raster *key, tre
                                    .share = key->share,
                                    .path = yaml->path,
                                    .line = line,
-                                   .origin = {INPUT_FROM_MISSION, line, 0}};
+                                   .origin = {INPUT_FROM_MISSION, line, 0},
+                                   .file = key->file};
   const int result = tiles_add(in, &settings, yaml->why);
   free(mass);
   return result;

@@ -168,7 +168,9 @@ static const key_record raster_records[] = {
      .kind = KEY_NUMBER,
      .help =
          "side of the square that a robot's sensor sees (in cells, on a map without metres): the likelihood of a tile "
-         "of that size, counted from the map's lower left corner, is the weight of one place",
+         "of that size is the weight of one place, named by the tile's column and row from the map's lower left "
+         "corner, "
+         "as B07",
      .example = "5",
      .unit = "m",
      .noun = "a length",
@@ -203,7 +205,8 @@ static const key_record geojson_records[] = {
      KEY_FIELD(mission_raster, file)},
     {.name = "footprint",
      .kind = KEY_NUMBER,
-     .help = "side of the tiles that polygons are cut into, as for a raster (in cells, on a map without metres)",
+     .help = "side of the tiles that polygons are cut into, as for a raster (in cells, on a map without metres); a "
+             "polygon's `name` comes before a tile's, as Orchard B07",
      .example = "5",
      .standard = "none: points alone are read",
      .unit = "m",

@@ -18,6 +18,9 @@ typedef struct {
   double column, row; /* the mass's middle, as cells are counted; its moments until all is summed */
   qtr_cell cell;      /* the nearest to it that a place may stand in; QTR_NO_CELL: there is none */
   double apart;       /* squared, in cells */
+  size_t at;          /* among all, before they are sorted: from the lower left one on */
+  double most;        /* of a cell's mass */
+  uint32_t area;      /* of that cell, from 1; 0: none */
 } tile;
 
 typedef struct {
@@ -27,11 +30,11 @@ typedef struct {
   reach *ground; /* who can get to each cell */
   bool *taken;   /* another place stands in it */
   tile *tiles;
-  size_t across, count; /* tiles side by side, and all */
-  size_t lost;          /* tiles that nobody gets to */
-  tile likeliest;       /* of these */
-  double all, reached;  /* mass on the grid, and of tiles within reach */
-  int taken_tiles;      /* the first so many */
+  size_t across, rows, count; /* tiles side by side, above one another, and all */
+  size_t lost;                /* tiles that nobody gets to */
+  tile likeliest;             /* of these */
+  double all, reached;        /* mass on the grid, and of tiles within reach */
+  int taken_tiles;            /* the first so many */
 } work;
 
 static size_t tile_of(const work *w, size_t cell) {
@@ -47,6 +50,8 @@ static void sum_up(work *w) {
   for (size_t cell = 0; cell < cells; cell++) {
     const double mass = w->settings->mass[cell];
     tile *it = &w->tiles[tile_of(w, cell)];
+    if (mass > it->most && w->settings->area_of != NULL) it->area = w->settings->area_of[cell];
+    it->most = fmax(it->most, mass);
     it->mass += mass;
     it->column += mass * (double)(cell % columns);
     it->row += mass * (double)(cell / columns);
@@ -54,6 +59,8 @@ static void sum_up(work *w) {
   }
   for (size_t i = 0; i < w->count; i++) {
     tile *it = &w->tiles[i];
+    if (it->area > 0) w->settings->area[it->area - 1].tiles++;
+    it->at = i;
     it->cell = QTR_NO_CELL;
     it->column /= it->mass > 0.0 ? it->mass : 1.0;
     it->row /= it->mass > 0.0 ? it->mass : 1.0;
@@ -141,12 +148,26 @@ static int take_share(work *w) {
   return 0;
 }
 
+static tile_naming naming_of(const work *w, const tile *it) {
+  const tiles_settings *s = w->settings;
+  return (tile_naming){.column = it->at % w->across,
+                       .row = it->at / w->across,
+                       .rows = w->rows,
+                       .area = it->area > 0 ? &s->area[it->area - 1] : NULL,
+                       .file = s->file,
+                       .plain = !w->in->tiled};
+}
+
 static int add_places(work *w) {
   const bool metres = w->in->frame.metric;
   for (int i = 0; i < w->taken_tiles; i++) {
-    const input_site site = {.position = frame_centre(w->in, w->tiles[i].cell, metres), .weight = w->tiles[i].mass};
+    const tile *it = &w->tiles[i];
+    const tile_naming called = naming_of(w, it);
+    input_site site = {.position = frame_centre(w->in, it->cell, metres), .weight = it->mass};
+    tile_name(site.name, &called, w->in);
     if (sites_add_place(w->in, &site, w->settings->origin, w->why) != 0) return -1;
   }
+  w->in->tiled = true;
   return 0;
 }
 
@@ -233,7 +254,8 @@ static int add(work *w) {
 int tiles_add(input *in, const tiles_settings *settings, fault *why) {
   work w = {.in = in, .settings = settings, .why = why};
   w.across = (size_t)ceil(in->mission.columns / settings->side);
-  w.count = w.across * (size_t)ceil(in->mission.rows / settings->side);
+  w.rows = (size_t)ceil(in->mission.rows / settings->side);
+  w.count = w.across * w.rows;
   w.ground = reach_mark(in);
   w.tiles = memory_take(w.count * sizeof *w.tiles, why);
   w.taken = memory_take(qtr_mission_cells(&in->mission) * sizeof *w.taken, why);
