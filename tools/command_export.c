@@ -18,14 +18,17 @@ static const char intro[] =
     "quarter export mission.qtr --format nav2 --places -o way-%.yaml\n"
     "                                                   a file a robot, way-0.yaml ...: poses for Nav2's waypoint "
     "follower\n"
-    "quarter export mission.qtr --altitude 20 --hold 10 -o way-%.plan\n"
-    "                                                   the same for QGroundControl, flown at 20 m, 10 s a place\n"
+    "quarter export mission.qtr --altitude 20 -o way-%.plan\n"
+    "                                                   the same for QGroundControl, flown at 20 m, with stops to "
+    "scan\n"
     "quarter export mission.qtr --format moos --robot 1 -o way.bhv\n"
     "                                                   points of a MOOS-IvP waypoint behaviour, of one robot\n"
     "\n"
     "A way begins at the start; its waypoints are the places that the robot visits, in order, and the corners between "
     "them,\n"
-    "so that from one to the next it goes straight over ground that is free. Times are the plan's.\n"
+    "so that from one to the next it goes straight over ground that is free. Times are the plan's; at a place, that at "
+    "which\n"
+    "its scan ends.\n"
     "\n";
 
 static const option_line lines[] = {

@@ -54,6 +54,7 @@ static void put_place(json *j, const table *t, const export_way *w, size_t i) {
   if (is_place) json_number(j, "likelihood", table_probability(t, (unsigned)p->place));
   json_natural(j, "step", p->step);
   if (!isnan(p->seconds)) json_number(j, "seconds", p->seconds);
+  if (is_place && !isnan(p->hold)) json_number(j, "hold_seconds", p->hold);
   if (t->claim.deadline > 0) json_bool(j, "after_deadline", p->late);
   end_feature(j);
 }

@@ -18,6 +18,7 @@ typedef struct {
   double heading; /* radians in the map frame, counter-clockwise from x: to the next point, at the last as before */
   qtr_steps step; /* of arrival */
   double seconds; /* the same; NAN where the table does not say how long a step is */
+  double hold;    /* seconds to stay at it: at a place, for the scan; NAN where they are not known */
   int place;      /* of the table; WAY_NO_PLACE */
   bool late;      /* it comes after the mission's deadline */
 } export_point;
@@ -35,7 +36,7 @@ typedef struct {
   export_way way[QTR_MAX_SEEKERS];
   const char *source; /* the table's file, for people */
   double altitude;    /* metres above home to fly at; 0: on the ground */
-  double hold;        /* seconds to stay at a place */
+  double hold;        /* seconds to stay at every place; below 0: as long as each one's scan takes */
 } export_plan;
 
 /* MAVLink's numbers of commands and of the frame that its formats use. */

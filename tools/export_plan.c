@@ -26,6 +26,16 @@ static export_point point_at(const table *t, const waypoint *at) {
   return p;
 }
 
+/* The way from a place to itself is its scan. */
+static double hold_at(const export_plan *plan, int robot, const export_point *p) {
+  const table *t = plan->t;
+  if (p->place == WAY_NO_PLACE) return 0.0;
+  if (plan->hold >= 0.0) return plan->hold;
+  const unsigned place = (unsigned)p->place;
+  const qtr_steps scan = qtr_board_steps(&t->policy.board, (unsigned)robot, place, place);
+  return scan == 0 ? 0.0 : table_step_seconds(t) > 0.0 ? scan * table_step_seconds(t) : NAN;
+}
+
 /* Each looks to the next one; the last, and one that stays where it is, as the one before. */
 static void turn(export_way *w) {
   double heading = 0.0;
@@ -51,6 +61,7 @@ static int add_way(export_plan *plan, int robot, const table_route *route, bool 
   for (size_t i = 0; w->point != NULL && i < walked.count; i++) w->point[i] = point_at(plan->t, &walked.at[i]);
   way_free(&walked);
   if (w->point == NULL) return fault_set(why, "no memory for the way of robot %d", robot);
+  for (size_t i = 0; i < w->count; i++) w->point[i].hold = hold_at(plan, robot, &w->point[i]);
   turn(w);
   return 0;
 }

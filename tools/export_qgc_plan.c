@@ -1,4 +1,6 @@
 /* QGroundControl's plan file, version 1: simple items. The way begins with a take-off where the robot flies. */
+#include <math.h>
+
 #include "export_parts.h"
 #include "host/base/json.h"
 
@@ -16,7 +18,7 @@ static void put_item(json *j, const export_plan *plan, const export_point *p, si
   json_natural(j, "doJumpId", index + 1);
   json_integer(j, "frame", MAV_RELATIVE_ALTITUDE);
   json_flat_array(j, "params");
-  json_number(j, NULL, !rises && p->place != WAY_NO_PLACE ? plan->hold : 0.0);
+  json_number(j, NULL, rises || isnan(p->hold) ? 0.0 : p->hold);
   json_number(j, NULL, 0.0);
   json_number(j, NULL, 0.0);
   json_null(j, NULL);

@@ -354,8 +354,8 @@ option_table option_records = {
      NUMBER(altitude, 0.0, 10000.0, "of metres, from 0 to 10000")},
     {.name = "hold",
      .argument = "SECONDS",
-     .help = "qgc-plan, qgc-wpl: to stay at each place, for its scan (default %s)",
-     .standard = "0",
+     .help = "to stay at each place (default: as long as its scan takes, by the mission's scan_seconds); told by csv,\n"
+             "geojson, qgc-plan and qgc-wpl",
      NUMBER(hold, 0.0, 1e6, "of seconds, from 0 to 1e6")},
     {.name = "clear-all", .help = "go on after the find, until every territory is done", MARK(game.clear_all)},
     {.name = "history", .argument = "FILE", .help = "the games to learn from", TEXT(history)},
@@ -388,6 +388,7 @@ void options_default(options *o) {
   plan_config_default(&o->plan);
   simulation_config_default(&o->game);
   o->detection = HISTORY_OF_PLACES;
+  o->hold = -1.0;
 }
 
 int options_parse_any(options *o, const option_set *set, int argc, char **argv, fault *why) {

@@ -42,7 +42,7 @@ typedef struct {
   const char *robot;  /* name or number; NULL: all */
   bool places;        /* no waypoints but these */
   double altitude;    /* metres above home; 0: on the ground */
-  double hold;        /* seconds at a place */
+  double hold;        /* seconds at a place; below 0: as the mission says */
   /* belief */
   const char *history; /* CSV; NULL: none */
   const char *belief;  /* saved belief, read and written; NULL: none */

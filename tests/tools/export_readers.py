@@ -52,7 +52,8 @@ def read_csv(text, robot=None):
         assert int(row["waypoint"]) == len(points) and row["robot_name"] == f"robot {row['robot']}"
         assert place_of(row["place_name"]) == (int(row["place"]) if row["place"] else -1)
         points.append(Point(x=number(row["x"]), y=number(row["y"]), column=int(row["column"]), row=int(row["row"]),
-                            step=int(row["step"]), seconds=number(row["seconds"]), place=place_of(row["place_name"])))
+                            step=int(row["step"]), seconds=number(row["seconds"]), place=place_of(row["place_name"]),
+                            hold=number(row["hold_seconds"])))
     return ways
 
 
@@ -72,6 +73,7 @@ def read_geojson(text, robot=None):
         for where, told in stops:
             at = next(p for p in points if [p.longitude, p.latitude] == where and p.step == told["step"])
             at.place, at.seconds = told.get("place", -1), told.get("seconds", math.nan)
+            at.hold = told.get("hold_seconds", math.nan)
             assert told["name"] == ("start" if at.place < 0 else f"place {at.place}")
     return ways
 

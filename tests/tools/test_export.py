@@ -295,6 +295,76 @@ class TestTimesAndDrones(Case):
                     self.fly(rising, points, places[robot])
 
 
+class Scanning(Mission):
+    """Scans take time: by the place, or the robot's class, or the mission. Places are looked at twice."""
+
+    SCANS = {0: 7, 3: 0.5}  # of places
+    CLASSES = {"slow": 12.25, "quick": None}
+    BY_DEFAULT = 4
+
+    def positions(self):
+        start = self.chosen[0]
+        rows = [f"  - {{column: {start[0]}, row: {start[1]}, class: {name}}}\n" for name in self.classes_of_robots()]
+        places = [f"  - {{column: {c}, row: {r}, weight: {weight}{self.scan_key(weight - 1)}}}\n"
+                  for weight, (c, r) in enumerate(self.chosen[:5], 1)]
+        return ("classes:\n  slow: {speed: 0.5, scan_seconds: 12.25}\n  quick: {speed: 1.5}\n"
+                f"scan_seconds: {self.BY_DEFAULT}\ndetection: 0.8\nlooks: 2\nrobots:\n" + "".join(rows) + "places:\n" + "".join(places))
+
+    @staticmethod
+    def classes_of_robots():
+        return ["slow", "quick", "quick"]
+
+    def scan_key(self, place):
+        return f", scan_seconds: {self.SCANS[place]}" if place in self.SCANS else ""
+
+    def scan(self, robot, place):
+        of_class = self.CLASSES[self.classes_of_robots()[robot]]
+        return self.SCANS.get(place, self.BY_DEFAULT if of_class is None else of_class)
+
+
+class TestScans(Case):
+    def missions(self, count, **settings):
+        for seed in range(count):
+            folder = self.folder / str(seed)
+            folder.mkdir()
+            yield Scanning(folder, seed, **settings)
+
+    def held(self, mission, form, *words):
+        """{robot: seconds at each place that it goes to, in order}; the mission's table says the order."""
+        ways = mission.export(form, "--places", *words)
+        for robot, points in ways.items():
+            visits = mission.visits[robot]
+            yield robot, [place for place, _ in visits], [point.hold for point in points][len(points) - len(visits):]
+
+    def check(self, form, **settings):
+        if form in DEGREES and asked.no_proj:
+            self.skipTest("PROJ was not there when Quarter was built")
+        places_seen = set()
+        for mission in self.missions(6, **settings):
+            step = mission.told["seconds_per_step"]
+            for robot, places, held in self.held(mission, form):
+                for place, seconds in zip(places, held, strict=True):
+                    wanted = mission.scan(robot, place)
+                    self.assertTrue(wanted - 1e-6 <= seconds < wanted + step, (robot, place, seconds, wanted, step))
+                    places_seen.add(place)
+            for words, wanted in ((("--hold", 30), 30.0), (("--hold", 0), 0.0)):
+                for _, _, held in self.held(mission, form, *words):
+                    self.assertEqual(set(held) - {wanted}, set())
+        self.assertEqual(len(places_seen), 5)
+
+    def test_csv_tells_each_scan(self):
+        self.check("csv", geo=False)
+
+    def test_geojson_tells_each_scan(self):
+        self.check("geojson")
+
+    def test_a_qgc_plan_stops_for_each_scan(self):
+        self.check("qgc-plan")
+
+    def test_a_qgc_wpl_stops_for_each_scan(self):
+        self.check("qgc-wpl")
+
+
 class TestRefusals(Case):
     def refuse(self, mission, output, *words, expected):
         _, err = quarter("export", mission.table, "-o", self.folder / output, *words, status=2)
