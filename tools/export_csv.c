@@ -28,13 +28,13 @@ static void put_point(FILE *out, const table *t, int robot, size_t index, const 
   put_number(out, p->y);
   fprintf(out, ",%" PRIu32, p->step);
   put_number(out, p->seconds);
-  put_number(out, p->hold);
   if (t->claim.deadline > 0) fprintf(out, ",%d", p->late);
+  put_number(out, p->hold);
   fputc('\n', out);
 }
 
 void export_csv(FILE *out, const export_plan *plan) {
-  fprintf(out, "robot,robot_name,waypoint,place,place_name,column,row,x,y,step,seconds,hold_seconds%s\n",
+  fprintf(out, "robot,robot_name,waypoint,place,place_name,column,row,x,y,step,seconds%s,hold_seconds\n",
           plan->t->claim.deadline > 0 ? ",after_deadline" : "");
   for (int i = 0; i < plan->ways; i++)
     for (size_t at = 0; at < plan->way[i].count; at++)

@@ -100,16 +100,25 @@ static void write_passed_on(FILE *out, const replan *c, const naming *n, const t
   if (count > 0) fputc('\n', out);
 }
 
-void replan_write(FILE *out, const replan *c, const naming *n, const table_route *routes, double expected_time,
-                  const pace *p) {
-  const double seconds = expected_time * p->seconds_per_step;
+/* Expected times can be compared whatever a plan is for; but what is played for a deadline is not played for time. */
+static void write_figures(FILE *out, const replan *c, const qtr_certificate *now, const problem *p) {
+  const table_certificate before = table_certificate_of(&c->t.policy);
+  const double seconds = now->expected_time * p->pace.seconds_per_step;
+  if (p->in.mission.aim.kind == QTR_DEADLINE && before.objective == QTR_DEADLINE)
+    fprintf(out, "%s %.6g, was %.6g\n", qtr_objective_in_words(QTR_DEADLINE)->figure, now->objective, before.figure);
+  else if (p->pace.stated)
+    fprintf(out, "expected time %.6g s, was %.6g\n", seconds, c->expected_seconds);
+  else
+    fprintf(out, "expected time %s, was %.6g\n", measured(seconds, "step").text, c->expected_seconds);
+}
+
+void replan_write(FILE *out, const replan *c, const naming *n, const table_route *routes,
+                  const qtr_certificate *certificate, const problem *p) {
+  const double seconds = certificate->expected_time * p->pace.seconds_per_step;
   const naming before = table_naming(&c->t);
   if (c->path == NULL || (!c->asked && is_same(c, n, routes, seconds))) return;
-  if (p->stated)
-    fprintf(out, "against %s: expected time %.6g s, was %.6g\n", c->path, seconds, c->expected_seconds);
-  else
-    fprintf(out, "against %s: expected time %s, was %.6g\n", c->path, measured(seconds, "step").text,
-            c->expected_seconds);
+  fprintf(out, "against %s: ", c->path);
+  write_figures(out, c, certificate, p);
   write_absent(out, "  gone: ", &before, n);
   write_absent(out, "  new: ", n, &before);
   write_passed_on(out, c, n, routes);

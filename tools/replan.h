@@ -7,8 +7,9 @@
 
 #include "host/base/fault.h"
 #include "host/base/json.h"
-#include "host/plan/pace.h"
+#include "host/plan/problem.h"
 #include "host/table/table.h"
+#include "quarter/learner.h"
 
 /* The older plan. */
 typedef struct {
@@ -24,8 +25,8 @@ typedef struct {
 int replan_begin(replan *c, const char *path, const char *output, fault *why);
 
 /* Text and the member "against", of the new plan's routes; nothing where there is no older one. */
-void replan_write(FILE *out, const replan *c, const naming *n, const table_route *routes, double expected_time,
-                  const pace *p);
+void replan_write(FILE *out, const replan *c, const naming *n, const table_route *routes,
+                  const qtr_certificate *certificate, const problem *p);
 void replan_json(json *j, const replan *c, const naming *n, const table_route *routes);
 
 #endif

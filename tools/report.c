@@ -274,7 +274,7 @@ static void write_text(FILE *out, const void *what) {
     fprintf(out, "%.3g s\n", r->seconds);
   report_routes(out, r->route, &n, &r->units);
   write_terms(out, r);
-  replan_write(out, &r->before, &n, r->route, r->certificate.expected_time, &r->p->pace);
+  replan_write(out, &r->before, &n, r->route, &r->certificate, r->p);
   if (r->o->output != NULL)
     fprintf(out, "wrote %s: %s, %s\n", r->o->output, counted(r->table_bytes, "byte").text,
             counted(r->table_records, "state").text);

@@ -99,7 +99,7 @@ static void test_headers(void) {
   refuse("name,weight\n", "p.csv:1", "the header has no position", "x and y, or column and row");
   refuse("lat,lon,weight\n", "p.csv:1", "latitudes and longitudes are not read here", "places_geojson");
   refuse("# only a comment\n", "p.csv", "holds no header", "x,y,weight");
-  refuse("x,y,weight\n", "m.yaml", "no place", "places");
+  refuse("x,y,weight\n", "p.csv", "no place", "write one");
   refuse("", "p.csv", "is empty", "m.yaml:2)");
 }
 

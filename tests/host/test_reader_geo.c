@@ -52,7 +52,7 @@ static void test_a_mission_without_it_has_none(void) {
 static void test_values_out_of_range_are_refused_by_name(void) {
   refuse("{latitude: 91, longitude: 95}", "'latitude' is 91", "from -90 to 90");
   refuse("{latitude: 5, longitude: 181}", "'longitude' is 181", "from -180 to 180");
-  refuse("{latitude: 5, longitude: 6, yaw: 90}", "'yaw' is 90", "radians");
+  refuse("{latitude: 5, longitude: 6, yaw: 90}", "'yaw' is 90", "(90 degrees are 1.5708)");
   refuse("{latitude: x, longitude: 6}", "'latitude' is \"x\"", "give a number");
   refuse("{latitude: nan, longitude: 6}", "'latitude'", "number");
 }

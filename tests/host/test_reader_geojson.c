@@ -169,7 +169,7 @@ static void test_exchanged_coordinates_are_suspected(void) {
   scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.6,95]", "{}")));
   scratch_refuse("globe.yaml", "p.json:1", "no point of the globe", "they seem exchanged");
   scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[193.6,52]", "{}")));
-  scratch_refuse("globe.yaml", "p.json:1", "no point of the globe", "mend");
+  scratch_refuse("globe.yaml", "p.json:1", "no point of the globe", "\"local\"");
   scratch_write("p.json", DEGREES_OF(FEATURE("Point", "[13.6,48]", "{}"))); /* hundreds of kilometres off */
   scratch_refuse("globe.yaml", "p.json:1", "lies outside the map", "check the mission's geo");
   TEST_ASSERT_NULL_MESSAGE(strstr(scratch_fault.text, "--snap"), scratch_fault.text);
@@ -191,7 +191,7 @@ static void test_features_that_are_no_places(void) {
   refuse(FILE_OF(FEATURE("Point", "[1,1]", "{\"weight\":-1}")), "p.json:2", "'weight' is -1", "likelihood");
   refuse(FILE_OF("{\"type\":\"Feature\"}"), "p.json:2", "feature 0 has no geometry", "give it one");
   refuse(FILE_OF("{\"geometry\":{\"type\":\"Point\"}}"), "p.json:2", "has no coordinates", "give it one");
-  refuse(FILE_OF(""), "m.yaml", "no place to visit", "places");
+  refuse(FILE_OF(""), "p.json", "no place to visit", "write one");
   refuse("{\"a\": 1}", "p.json:1", "geo", "local");
   refuse("{\"crs\":{\"properties\":{\"name\":\"local\"}}}", "p.json:1", "has no list of features", "GeoJSON");
   refuse("{\"crs\":{\"properties\":{\"name\":\"EPSG:32633\"}}}", "p.json:1", "coordinates of EPSG:32633", "EPSG:4326");

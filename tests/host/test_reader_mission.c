@@ -136,6 +136,8 @@ static void test_mistyped_and_doubled_keys(void) {
 
 static void test_wrong_types_and_values(void) {
   refuse(HEAD "gamma: high\n", "m.yaml:3", "'gamma' is \"high\", which is not a number", "give a number");
+  refuse(HEAD "scan_seconds: 1 min\n", "m.yaml:3", "'scan_seconds' is \"1 min\", which is not a number",
+         "give a number alone, in s, such as 30");
   refuse(HEAD "gamma: 1\n", "m.yaml:3", "'gamma' is 1", "a discount above 0 and below 1, such as 0.99");
   refuse(HEAD "gamma: 0\n", "m.yaml:3", "'gamma' is 0", "a discount above 0 and below 1, such as 0.99");
   refuse(HEAD "gamma: .nan\n", "m.yaml:3", "not a finite number", "give a number");

@@ -221,7 +221,7 @@ static void test_headers_that_do_not_hold(void) {
 
 static void test_rasters_of_another_extent(void) {
   refuse("ncols 1\nnrows 1\nxllcorner 6\nyllcorner 0\ncellsize 1\n5\n", "p.asc",
-         "spans x 6 to 7 and y 0 to 1 and lies beside the map, which spans x 0 to 6 and y 0 to 4", "mend");
+         "spans x 6 to 7 and y 0 to 1 and lies beside the map, which spans x 0 to 6 and y 0 to 4", "in cells");
   write_mission("a.txt", "{file: p.pgm, footprint: 2}");
   scratch_write("p.pgm", "P2\n4 4\n1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n");
   scratch_refuse("m.yaml", "p.pgm", "4 x 4 pixels, and the map 6 x 4 cells", "cut it to the map");
@@ -240,7 +240,8 @@ static void test_settings(void) {
   write_mission("a.txt", "{file: p.asc}");
   scratch_refuse("m.yaml", "m.yaml:2", "footprint", "footprint: 5");
   write_mission("a.txt", "{file: p.asc, footprint: 0.5}");
-  scratch_refuse("m.yaml", "m.yaml:2", "footprint of 0.5 is less than a cell, 1", "smaller cells");
+  scratch_refuse("m.yaml", "m.yaml:2", "footprint of 0.5 is less than a cell, 1",
+                 "smaller cells, or write \"footprint: 1\"");
   write_mission("a.txt", "{file: p.asc, footprint: 2, share: 1.5}");
   scratch_refuse("m.yaml", "m.yaml:2", "'share' is 1.5", "up to 1");
   write_mission("a.txt", "{file: p.asc, footprint: 2, share: nan}");

@@ -49,6 +49,11 @@ static void test_learn_and_exact_say_the_same(void) {
   expect("exact m.yaml", "nobody searches by the deadline: 2\n");
 }
 
+static void test_replans_are_held_to_the_deadline(void) {
+  expect("learn m.yaml --clear Door --against m.qtr",
+         "against m.qtr: probability of a find by the deadline 0.666667, was 0.75\n");
+}
+
 static void test_later_visits_are_marked(void) {
   const char *route = "0 (step 2, 2 s) -> Door (step 6, 6 s) -> 2 (step 11, 11 s, after the deadline); 11 m\n";
   expect("learn m.yaml", route);
@@ -67,9 +72,9 @@ static void test_pictures_and_exports_mark_them_too(void) {
   TEST_ASSERT_NOT_NULL(strstr(r.out, "visit 3, step 11, 11 s, after the deadline"));
   expect("export m.qtr -o m.csv", "1 place after the deadline\n");
   read_text("m.csv", r.out, sizeof r.out);
-  TEST_ASSERT_NOT_NULL(strstr(r.out, ",step,seconds,after_deadline\n"));
-  TEST_ASSERT_NOT_NULL(strstr(r.out, ",Door,6,0,6.500000,0.500000,6,6.000000,0\n"));
-  TEST_ASSERT_NOT_NULL(strstr(r.out, ",2,place 2,11,0,11.500000,0.500000,11,11.000000,1\n"));
+  TEST_ASSERT_NOT_NULL(strstr(r.out, ",step,seconds,after_deadline,hold_seconds\n"));
+  TEST_ASSERT_NOT_NULL(strstr(r.out, ",Door,6,0,6.500000,0.500000,6,6.000000,0,0.000000\n"));
+  TEST_ASSERT_NOT_NULL(strstr(r.out, ",2,place 2,11,0,11.500000,0.500000,11,11.000000,1,0.000000\n"));
   expect("export m.qtr --format nav2 -o m-%.yaml", "after the deadline");
   read_text("m-Eve.yaml", r.out, sizeof r.out);
   if (r.out[0] == '\0') read_text("m-0.yaml", r.out, sizeof r.out);
@@ -109,6 +114,7 @@ static void test_looks_after_the_deadline_count_for_nothing(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_learn_and_exact_say_the_same);
+  RUN_TEST(test_replans_are_held_to_the_deadline);
   RUN_TEST(test_later_visits_are_marked);
   RUN_TEST(test_pictures_and_exports_mark_them_too);
   RUN_TEST(test_plans_for_two_deadlines_are_not_compared);

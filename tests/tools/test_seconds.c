@@ -120,8 +120,8 @@ static void test_tune_tries_what_the_terms_leave(void) {
 static void test_each_look_is_a_waypoint(void) {
   expect("export m.qtr -o w.csv", TEXTS("39 steps, 19.5 s"));
   read_text("w.csv", r.out, sizeof r.out);
-  TEST_ASSERT_NOT_NULL(strstr(r.out, "0,Wing,1,0,Bay,8,0,17.000000,7.000000,14,7.000000\n"
-                                     "0,Wing,2,0,Bay,8,0,17.000000,7.000000,20,10.000000\n"));
+  TEST_ASSERT_NOT_NULL(strstr(r.out, "0,Wing,1,0,Bay,8,0,17.000000,7.000000,14,7.000000,3.000000\n"
+                                     "0,Wing,2,0,Bay,8,0,17.000000,7.000000,20,10.000000,3.000000\n"));
 }
 
 static void test_later_looks_are_no_places_that_are_gone(void) {

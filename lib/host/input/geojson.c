@@ -120,10 +120,11 @@ static int take_degrees(geojson *g, tree_node *node, const double given[2], inpu
         "longitude first: write [%.9g, %.9g], or mend the mission's geo, if that is where they are exchanged",
         given[0], given[1], given[1], given[0]);
   if (fabs(given[1]) <= 90.0 && fabs(given[0]) <= 180.0 && locate(g, given[1], given[0], out)) return 0;
-  return tree_fault(&g->file, node, "longitude %g, latitude %g is no point of the globe; %s", given[0], given[1],
+  return tree_fault(&g->file, node, "longitude %.10g, latitude %.10g is no point of the globe; %s", given[0], given[1],
                     fabs(given[0]) <= 90.0 && fabs(given[1]) > 90.0
                         ? "they seem exchanged: GeoJSON has the longitude first"
-                        : "mend it");
+                        : "mend it, or, where these are metres in the map frame, add \"crs\": "
+                          "{\"properties\": {\"name\": \"local\"}}");
 }
 
 int geojson_position(geojson *g, tree_node *coordinates, input_position *out) {

@@ -119,7 +119,7 @@ typedef struct {
   uint16_t places_stated;                /* in the input, the ones left out included */
   fault *all;                            /* where faults are gathered; NULL: the first one ends the reading */
   bool failed;                           /* and there was one */
-  bool tiled;                            /* tiles have been made places, and named */
+  bool tiled;                            /* tiles have become places that go by column and row alone */
   qtr_places cleared;                    /* by their numbers: searched before the start */
   notes note;
   int map_notes; /* as many of them, the first, are about the map as ground to drive on */

@@ -7,6 +7,9 @@
 #include <string.h>
 
 #include "host/base/naming.h"
+#include "host/base/text.h"
+
+#define RADIANS 0.017453292519943295 /* of a degree */
 
 /* ---- ranges ---- */
 
@@ -38,14 +41,21 @@ static int out_of_range(const key_record *r, const value_site *site, double valu
   char range[KEYS_RANGE_SIZE];
   keys_range(range, r);
   const char *noun = r->noun != NULL ? r->noun : r->kind == KEY_INTEGER ? "a whole number" : "a number";
-  return value_fault(site, "'%s' is %.6g%s%s; give %s %s, such as %s", r->name, value, r->unit != NULL ? " " : "",
-                     r->unit != NULL ? r->unit : "", noun, range, r->example);
+  char turn[60] = "";
+  if (r->unit != NULL && strcmp(r->unit, "radians") == 0)
+    snprintf(turn, sizeof turn, " (%.6g degrees are %.6g)", value, value * RADIANS);
+  return value_fault(site, "'%s' is %.6g%s%s; give %s %s, such as %s%s", r->name, value, r->unit != NULL ? " " : "",
+                     r->unit != NULL ? r->unit : "", noun, range, r->example, turn);
 }
 
 /* ---- values ---- */
 
 static int take_number(double *field, const key_record *r, const value_site *site, const char *text) {
   double number;
+  const char *wrong = text_number(&number, text, strlen(text));
+  if (wrong != NULL && text[0] != '\0' && r->unit != NULL)
+    return value_fault(site, "'%s' is \"%.60s\", which %s; give a number alone, in %s, such as %s", r->name, text,
+                       wrong, r->unit, r->example);
   if (value_number(&number, site, r->name, text)) return -1;
   if (!is_in_range(r, number)) return out_of_range(r, site, number);
   *field = number;

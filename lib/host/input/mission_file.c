@@ -156,13 +156,22 @@ static int read_csv(input *in, tree *yaml, tree_node *root) {
   return result;
 }
 
+/* Files that were to bring some are named. */
+static int no_place(const input *in, tree *yaml) {
+  const bool csv = in->csv[0] != '\0', geojson = in->geojson[0] != '\0';
+  if (csv || geojson)
+    return file_fault(yaml->why, csv ? in->csv : in->geojson, 0, 0,
+                      "holds no place to visit, and the mission lists none; write one at least into it");
+  return file_fault(yaml->why, yaml->path, 0, 0,
+                    "no place to visit; list one at least under 'places', or name a 'places_csv'");
+}
+
 /* What names places means little where not all could be read. */
 static int read_rest(input *in, tree *yaml, tree_node *root, const input_options *options) {
   if (in->failed) return 0;
   if (classes_finish(in, yaml, root)) return -1;
   if (in->mission.places > 0 || options->adds > 0) return choose_cleared(in, yaml, root);
-  return file_fault(yaml->why, yaml->path, 0, 0,
-                    "no place to visit; list one at least under 'places', or name a 'places_csv'");
+  return no_place(in, yaml);
 }
 
 /* The map, and where it lies: without a map named there is none. */

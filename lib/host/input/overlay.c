@@ -37,9 +37,12 @@ static int place_grid(overlay *over, const raster *it, const input *in, const ch
       over->bottom + it->rows * size > 0.0)
     return 0;
   frame_span(span, sizeof span, in, true);
-  return file_fault(why, path, 0, 0,
-                    "it spans x %g to %g and y %g to %g and lies beside the map, %s; mend its corner and cellsize",
-                    it->x, it->x + it->columns * it->size, it->y, it->y + it->rows * it->size, span);
+  return file_fault(
+      why, path, 0, 0,
+      "it spans x %.10g to %.10g and y %.10g to %.10g and lies beside the map, %s; mend its corner and cellsize, "
+      "which are in %s of the map frame",
+      it->x, it->x + it->columns * it->size, it->y, it->y + it->rows * it->size, span,
+      frame->metric ? "metres" : "cells");
 }
 
 int overlay_find(overlay *over, const raster *it, const input *in, const char *path, fault *why) {

@@ -19,7 +19,7 @@ typedef struct {
   size_t rows;           /* of tiles */
   const tile_area *area; /* NULL: it is of none */
   const char *file;      /* where its likelihood stands */
-  bool plain;            /* false: other tiles have been named before, of another size perhaps */
+  bool plain;            /* false: another file's tiles, of another size perhaps, go by column and row alone */
 } tile_naming;
 
 /* "Orchard", of an area of one tile; "Orchard B07"; "B07"; "likelihood B07", by the file: the first that may be a name,

@@ -160,14 +160,16 @@ static tile_naming naming_of(const work *w, const tile *it) {
 
 static int add_places(work *w) {
   const bool metres = w->in->frame.metric;
+  bool plain = false;
   for (int i = 0; i < w->taken_tiles; i++) {
     const tile *it = &w->tiles[i];
     const tile_naming called = naming_of(w, it);
     input_site site = {.position = frame_centre(w->in, it->cell, metres), .weight = it->mass};
     tile_name(site.name, &called, w->in);
+    plain = plain || called.area == NULL || called.area->name[0] == '\0';
     if (sites_add_place(w->in, &site, w->settings->origin, w->why) != 0) return -1;
   }
-  w->in->tiled = true;
+  w->in->tiled = w->in->tiled || plain;
   return 0;
 }
 
@@ -233,9 +235,9 @@ static void note_cover(const work *w) {
         (size_t)snprintf(lost, sizeof lost, "; %.3g %% of all lies where no robot gets to%s", 100.0 * out / all, where);
   if (s->off > all * 1e-9)
     snprintf(lost + used, sizeof lost - used, "; %.3g %% of all lies off the map", 100.0 * s->off / all);
-  notes_add(&w->in->note, "%s:%d: %s of %zu tiles hold %.4g %% of the likelihood within reach%s",
-            file_short_path(s->path), s->line, counted((uint64_t)w->taken_tiles, "place").text, w->count,
-            100.0 * mass_of(w, (size_t)w->taken_tiles) / w->reached, lost);
+  notes_add(&w->in->note, "%s:%d: %s of %s %s %.4g %% of the likelihood within reach%s", file_short_path(s->path),
+            s->line, counted((uint64_t)w->taken_tiles, "place").text, counted(w->count, "tile").text,
+            w->taken_tiles == 1 ? "holds" : "hold", 100.0 * mass_of(w, (size_t)w->taken_tiles) / w->reached, lost);
 }
 
 static int add(work *w) {
@@ -271,6 +273,7 @@ int tiles_add(input *in, const tiles_settings *settings, fault *why) {
 
 int tiles_check(const input *in, double footprint, const value_site *site) {
   if (footprint >= in->frame.cell_size * (1.0 - 1e-9)) return 0;
-  return value_fault(site, "the footprint of %g is less than a cell, %g%s; choose smaller cells, or give a cell's side",
-                     footprint, in->frame.cell_size, in->frame.metric ? " m" : "");
+  return value_fault(site,
+                     "the footprint of %g is less than a cell, %g%s; choose smaller cells, or write \"footprint: %g\"",
+                     footprint, in->frame.cell_size, in->frame.metric ? " m" : "", in->frame.cell_size);
 }
