@@ -11,6 +11,7 @@
 
 #include "bench.h"
 #include "field/asked.h"
+#include "field/compete.h"
 #include "field/instances.h"
 #include "host/base/clock.h"
 #include "host/input/read.h"
@@ -189,6 +190,7 @@ int main(int argc, char **argv) {
   if (bench_ask(&asked, argc, argv, &why) != 0) return bench_fail(&why);
   if (asked.help) return bench_help(stdout);
   if (asked.takeover) return bench_takeover(asked.json);
+  if (asked.task != BENCH_NO_TASK) return bench_compete(stdin, stdout, &asked);
   if (asked.instances != NULL) return bench_instances(stdout, &asked);
   bench_large();
   bench_reference();

@@ -129,9 +129,9 @@ static void expect_refusal(int status, const char *line) {
 static void test_words_that_do_not_go_together_are_refused(void) {
   expect_refusal(BENCH("--json"), "bench: --json goes with --takeover or --instances\n");
   expect_refusal(BENCH("--instances small --takeover"),
-                 "bench: --instances goes with neither --clone nor --takeover\n");
+                 "bench: --clone, --takeover, --instances and --family: one at a time\n");
   expect_refusal(BENCH("--instances small --return --objective discounted"),
-                 "bench: --return goes with --objective time alone\n");
+                 "bench: --return goes with --instances and --objective time alone\n");
   expect_refusal(BENCH("more"), "bench: 'more' is no option; ./run bench --help names them\n");
   expect_refusal(BENCH("--instances nowhere"),
                  "bench: nowhere: is no folder with files named *.tsp, and no such file\n");

@@ -6,6 +6,7 @@
 #include "quarter/config.h"
 #include "quarter/objective.h"
 
+static const char *const tasks[] = {"write", "certified", "paper", "exact", "judge", NULL};
 static const char *const objectives[] = {"discounted", "time", NULL};
 
 static option_table records = {
@@ -28,12 +29,12 @@ static option_table records = {
      OPTION_FIELD(bench_asked, instances)},
     {.name = "robots",
      .argument = "K",
-     .help = "of these (default %s)",
+     .help = "that there are (default %s)",
      .standard = "1",
      .kind = OPTION_COUNT,
      .first = 1,
      .last = QTR_MAX_SEEKERS,
-     OPTION_FIELD(bench_asked, robots)},
+     OPTION_FIELD(bench_asked, family.robots)},
     {.name = "return",
      .help = "each robot's arrival back at its start counts as a place's",
      .kind = OPTION_MARK,
@@ -44,7 +45,7 @@ static option_table records = {
      .standard = "time",
      .kind = OPTION_WORD,
      .words = objectives,
-     OPTION_FIELD(bench_asked, objective)},
+     OPTION_FIELD(bench_asked, family.objective)},
     {.name = "gamma",
      .argument = "G",
      .help = "a step's discount (default %s)",
@@ -53,7 +54,7 @@ static option_table records = {
      .least = 0.0,
      .most = 1.0,
      .open = true,
-     OPTION_FIELD(bench_asked, gamma)},
+     OPTION_FIELD(bench_asked, family.gamma)},
     {.name = "time-limit",
      .argument = "S",
      .help = "seconds of the processor for each (default %s)",
@@ -63,29 +64,105 @@ static option_table records = {
      .most = 1e6,
      .open = true,
      OPTION_FIELD(bench_asked, time_limit)},
+    {.name = "family",
+     .argument = "NAME",
+     .help = "a problem of a family: scatter, rooms, corridors or floor",
+     .kind = OPTION_WORD,
+     .words = family_names,
+     OPTION_FIELD(bench_asked, family.family)},
+    {.name = "task",
+     .argument = "WHAT",
+     .help = "with it: write (as JSON), certified, paper (learn), exact\n"
+             "(solve), or judge (plans from standard input, a line of\n"
+             "looks for each robot)",
+     .kind = OPTION_WORD,
+     .words = tasks,
+     OPTION_FIELD(bench_asked, task)},
+    {.name = "seed",
+     .argument = "N",
+     .help = "which of the family (default %s)",
+     .standard = "1",
+     .kind = OPTION_COUNT,
+     .first = 0,
+     .last = 4000000000,
+     OPTION_FIELD(bench_asked, family.seed)},
+    {.name = "side",
+     .argument = "CELLS",
+     .help = "of the ground, but of the floor (default %s)",
+     .standard = "30",
+     .kind = OPTION_COUNT,
+     .first = 2,
+     .last = 4096,
+     OPTION_FIELD(bench_asked, family.side)},
+    {.name = "places",
+     .argument = "H",
+     .help = "places in all (default %s)",
+     .standard = "12",
+     .kind = OPTION_COUNT,
+     .first = 1,
+     .last = QTR_MAX_PLACES,
+     OPTION_FIELD(bench_asked, family.places)},
+    {.name = "looks",
+     .argument = "N",
+     .help = "at each; of two or more one in five misses (default %s)",
+     .standard = "1",
+     .kind = OPTION_COUNT,
+     .first = 1,
+     .last = 10,
+     OPTION_FIELD(bench_asked, family.looks)},
+    {.name = "classes",
+     .argument = "N",
+     .help = "of robots; the second is half as fast (default %s)",
+     .standard = "1",
+     .kind = OPTION_COUNT,
+     .first = 1,
+     .last = 2,
+     OPTION_FIELD(bench_asked, family.classes)},
+    {.name = "stretch",
+     .argument = "STEPS",
+     .help = "that a cell takes (default %s)",
+     .standard = "1",
+     .kind = OPTION_COUNT,
+     .first = 1,
+     .last = 1000,
+     OPTION_FIELD(bench_asked, family.stretch)},
     {.name = NULL},
 };
 
-static const option_line lines[] = {OPTION_LINE("clone"),  OPTION_LINE("takeover"),   OPTION_LINE("instances"),
-                                    OPTION_LINE("robots"), OPTION_LINE("return"),     OPTION_LINE("objective"),
-                                    OPTION_LINE("gamma"),  OPTION_LINE("time-limit"), OPTION_LINE("json"),
-                                    {.options = NULL}};
+static const option_line lines[] = {OPTION_LINE("clone"),      OPTION_LINE("takeover"),  OPTION_LINE("instances"),
+                                    OPTION_LINE("family"),     OPTION_LINE("task"),      OPTION_LINE("seed"),
+                                    OPTION_LINE("side"),       OPTION_LINE("places"),    OPTION_LINE("looks"),
+                                    OPTION_LINE("classes"),    OPTION_LINE("stretch"),   OPTION_LINE("robots"),
+                                    OPTION_LINE("return"),     OPTION_LINE("objective"), OPTION_LINE("gamma"),
+                                    OPTION_LINE("time-limit"), OPTION_LINE("json"),      {.options = NULL}};
 
 static const option_set set = {
     NULL, "./run bench [OPTIONS]: what Quarter takes on this machine, beside what it promises\n", "", records, lines};
 
 static int check(const bench_asked *asked, fault *why) {
+  const bool competes = asked->task != BENCH_NO_TASK;
+  if (competes != (asked->family.family != FAMILIES)) return fault_set(why, "--family and --task go together");
+  if (asked->clone + asked->takeover + (asked->instances != NULL) + competes > 1)
+    return fault_set(why, "--clone, --takeover, --instances and --family: one at a time");
   if (asked->json && !asked->takeover && asked->instances == NULL)
     return fault_set(why, "--json goes with --takeover or --instances");
-  if (asked->instances != NULL && (asked->clone || asked->takeover))
-    return fault_set(why, "--instances goes with neither --clone nor --takeover");
-  if (asked->comes_home && asked->objective != QTR_TIME)
-    return fault_set(why, "--return goes with --objective time alone");
+  if (asked->comes_home && (asked->instances == NULL || asked->family.objective != QTR_TIME))
+    return fault_set(why, "--return goes with --instances and --objective time alone");
   return 0;
 }
 
 int bench_ask(bench_asked *asked, int argc, char **argv, fault *why) {
-  *asked = (bench_asked){.robots = 1, .objective = QTR_TIME, .gamma = 0.999, .time_limit = 10.0};
+  *asked = (bench_asked){.time_limit = 10.0, .task = BENCH_NO_TASK};
+  asked->family = (family_wish){.family = FAMILIES,
+                                .seed = 1,
+                                .side = 30,
+                                .places = 12,
+                                .robots = 1,
+                                .looks = 1,
+                                .classes = 1,
+                                .stretch = 1,
+                                .objective = QTR_TIME,
+                                .gamma = 0.999};
   if (option_parse(asked, &set, argc, argv, why) != 0) return -1;
   if (asked->help) return 0;
   if (optind < argc) return fault_set(why, "'%s' is no option; ./run bench --help names them", argv[optind]);

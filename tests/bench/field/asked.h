@@ -6,16 +6,20 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "field/families.h"
 #include "host/base/fault.h"
+
+/* What is done with a family's problem: written as JSON, learnt in either setting, solved by `quarter exact`'s dynamic
+ * programming, or plans of it judged. */
+enum bench_task { BENCH_WRITE, BENCH_CERTIFIED, BENCH_PAPER, BENCH_EXACT, BENCH_JUDGE, BENCH_NO_TASK };
 
 typedef struct {
   bool help, json, clone, takeover;
   const char *instances; /* a folder of TSPLIB files, or one of them; NULL: none */
-  uint32_t robots;
   bool comes_home;
-  int objective; /* enum qtr_objective_kind */
-  double gamma;
-  double time_limit; /* seconds of the processor for each */
+  double time_limit;  /* seconds of the processor for each */
+  int task;           /* enum bench_task */
+  family_wish family; /* its robots, objective and gamma are the instances', too */
 } bench_asked;
 
 /* 0, or -1 with *why set. */

@@ -98,7 +98,7 @@ static void weigh(outcome *o, const verdict *v, const learnt *l, const plain_pro
 static void print_json(json *j, const problem_case *made, const bench_asked *asked, const outcome *o) {
   json_flat_object(j, NULL);
   json_string(j, "instance", made->name);
-  json_natural(j, "robots", asked->robots);
+  json_natural(j, "robots", asked->family.robots);
   json_string(j, "kind", asked->comes_home ? "return" : "open");
   json_number(j, "sum", o->sum);
   json_number(j, "bound_sum", o->bound);
@@ -108,9 +108,10 @@ static void print_json(json *j, const problem_case *made, const bench_asked *ask
 }
 
 static void print_line(FILE *out, const problem_case *made, const bench_asked *asked, const outcome *o) {
-  fprintf(out, "%-16s %2u robots, %-6s  sum %.10g, bound %.10g (%.2g %%), %s after %.2f s\n", made->name, asked->robots,
-          asked->comes_home ? "return" : "open", o->sum, o->bound, 100.0 * fabs(o->sum - o->bound) / o->sum,
-          o->end->certificate.certified ? "certified" : "open", o->end->seconds);
+  fprintf(out, "%-16s %2u robots, %-6s  sum %.10g, bound %.10g (%.2g %%), %s after %.2f s\n", made->name,
+          asked->family.robots, asked->comes_home ? "return" : "open", o->sum, o->bound,
+          100.0 * fabs(o->sum - o->bound) / o->sum, o->end->certificate.certified ? "certified" : "open",
+          o->end->seconds);
   fflush(out);
 }
 
@@ -128,7 +129,7 @@ static int judge(outcome *o, const problem_case *made, const learnt *l, fault *w
 }
 
 static int learn_one(const entry *e, const bench_asked *asked, json *j, FILE *out, fault *why) {
-  const problem_wish wish = {asked->robots, asked->comes_home, asked->objective, asked->gamma};
+  const problem_wish wish = {asked->family.robots, asked->comes_home, asked->family.objective, asked->family.gamma};
   problem_case made;
   learnt l = {0};
   outcome o = {0};

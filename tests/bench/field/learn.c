@@ -21,11 +21,13 @@ static bool is_better(const qtr_certificate *now, const qtr_certificate *before,
 }
 
 /* The last point is overwritten until the plan has become better since. */
-static void note(learnt *l, const study *s, double begin) {
+static void note(learnt *l, const study *s, int setting, double begin) {
   learn_point point;
   const bool by_time = s->p.game.objective.kind == QTR_TIME;
   qtr_learner_certificate(s->learner, &point.certificate);
   point.seconds = learn_clock() - begin;
+  /* What it has before its first game it does not show as learnt. */
+  if (point.certificate.episodes == 0 && setting == QTR_SETTING_PAPER) return;
   const bool better = l->points == 0 || is_better(&point.certificate, &learnt_end(l)->certificate, by_time);
   if (better && l->points < LEARN_POINTS - 1) l->points++;
   if (better) l->point[l->points - 1] = point;
@@ -66,7 +68,7 @@ int learn_for(learnt *l, problem_case *made, int setting, double gap, double sec
   *l = (learnt){0};
   int status = study_begin(s, &config, why);
   if (status == 0) {
-    do note(l, s, begin);
+    do note(l, s, setting, begin);
     while (goes_on(&end) && study_step(s) == QTR_LEARNING);
     note_end(l, s, begin);
     status = take_routes(l, s, why);
