@@ -27,7 +27,7 @@ test_a_library_that_is_there_is_found_every_time() {
 # Under a compiler that compiles nothing, all headers are missing.
 test_a_command_asks_for_what_it_needs_and_no_more() {
   local found CC=false root=$here/empty
-  mkdir -p "$root/cmake" "$root/tools/bridge" && touch "$root"/{cmake,tools/bridge}/requirements{,-demo,-charts,-export,-format,-mcap}.txt
+  mkdir -p "$root/cmake" "$root/tools/bridge" && touch "$root"/{cmake,tools/bridge}/requirements{,-demo,-charts,-export,-field,-format,-mcap}.txt
   have() { return 1; }
   have_pip() { return 1; }
   has_library() { return 1; }
@@ -36,6 +36,7 @@ test_a_command_asks_for_what_it_needs_and_no_more() {
   local host="cmake gcc libc6-dev libyaml-dev ninja-build"
   expect "packages of quarter" "$(packages quarter)" "$host"
   expect "packages of bench" "$(packages bench)" "$host"
+  expect "packages of bench --field" "$(parts=(field) && missing_packages | paste -sd ' ')" "$host python3 python3-pip"
   expect "packages of paper" "$(packages paper)" "$host python3 python3-pip"
   found="cmake gcc libc6-dev libcivetweb-dev libglib2.0-0 libyaml-dev ninja-build python3 python3-pip"
   expect "packages of demo" "$(packages demo)" "$found"

@@ -3,9 +3,11 @@ sums, gaps and contradictions are worked out by hand."""
 
 import argparse
 import importlib.util
+import json
 import sys
 import tempfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/field"))
@@ -68,10 +70,9 @@ def check_prover(contest, name, options):
 
 
 def check_provers(contest, names):
-    for objective in OBJECTIVES:
-        for options in (options_of(objective), options_of(objective, classes=2), options_of(objective, looks=2)):
-            for name in names:
-                check_prover(contest, name, options)
+    for options in (options_of("time"), options_of("discounted"), options_of("time", classes=2), options_of("discounted", looks=2)):
+        for name in names:
+            check_prover(contest, name, options)
 
 
 def check_searchers(contest, names):
@@ -86,7 +87,7 @@ def check_searchers(contest, names):
 def check_solvers(bench, packages, scratch):
     found = [name for name in PACKAGES if there_are(packages, name)]
     check_provers(Contest(bench, packages, scratch, SECONDS), ["Quarter", *(name for name in found if name in PROVERS)])
-    check_searchers(Contest(bench, packages, scratch, 1.0),
+    check_searchers(Contest(bench, packages, scratch, 0.4),
                     ["paper setting", "dense Q", *(name for name in found if name not in PROVERS)])
     return found
 
@@ -129,6 +130,17 @@ def check_contradictions():
     expect("a plan that is none", summary.contradictions(unfit), ["DIDP: looks are left out"])
 
 
+def check_keeping():
+    then = {"seconds": 1.0, "solvers": ["Quarter", "DIDP"], "processor_seconds": 5.0,
+            "instances": [instance({"Quarter": result(12.0), "DIDP": result(13.0)})]}
+    now = {"seconds": 1.0, "solvers": ["Quarter"], "processor_seconds": 1.0,
+           "instances": [instance({"Quarter": result(10.0)}), instance({"Quarter": result(11.0)}, seed=2)]}
+    summary.keep(now, then)
+    expect("solvers kept", now["solvers"], ["Quarter", "DIDP"])
+    expect("results, new before kept", [[each["objective"] for each in one["results"].values()] for one in now["instances"]],
+           [[10.0, 13.0], [11.0]])
+
+
 def check_report():
     data = {"machine": "a machine", "commit": "abc", "ortools": "1", "didppy": "2", "seconds": 1.0, "seeds": 1,
             "solvers": ["Quarter", "routing"], "processor_seconds": 120.0, "cost_seeds": 1, "cost_seconds": 1.0,
@@ -140,6 +152,10 @@ def check_report():
                  "| s | 0.01 | >1 |", "behind another's on 0 of 1 problems.", "- Left out: scatter 1000/16: more than this build"):
         if line not in text:
             sys.exit(f"the report lacks '{line}':\n{text}")
+    picture = report.pictures(data)["small.svg"]
+    expect("a picture's titles", [picture.count(word) for word in ("small problems", ">Quarter<", ">routing<", "<path")], [1, 1, 1, 1])
+    ElementTree.fromstring(picture)
+    expect("data written and read", json.loads(report.as_text(data)), json.loads(json.dumps(data)))
     data["instances"] = []
     report.write(data)
 
@@ -157,6 +173,7 @@ def main():
     asked = parser.parse_args()
     check_sums()
     check_contradictions()
+    check_keeping()
     check_report()
     check_suite()
     with tempfile.TemporaryDirectory() as scratch:

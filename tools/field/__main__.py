@@ -34,6 +34,7 @@ def parse(words):
     parser.add_argument("--seconds", type=float, default=3.0, help="of the processor for each solver (default 3)")
     parser.add_argument("--quick", action="store_true", help="one problem of every second kind, none large, 1 s each")
     parser.add_argument("--json", metavar="FILE", help="write the data there, too")
+    parser.add_argument("--keep", metavar="FILE", help="take the results of solvers that are not named from an earlier run's data")
     parser.add_argument("--write", action="store_true", help="write docs/benchmarks.md and its data")
     asked = parser.parse_args(words)
     for word, known in (("sizes", GROUPS), ("solvers", NAMES)):
@@ -131,13 +132,13 @@ def main(words):
     asked = parse(words)
     with tempfile.TemporaryDirectory() as scratch:
         data = collect(asked, scratch)
+    if asked.keep:
+        summary.keep(data, json.loads(Path(asked.keep).read_text(encoding="utf-8")))
     text = report.write(data)
     if asked.json:
-        Path(asked.json).write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
+        Path(asked.json).write_text(report.as_text(data), encoding="utf-8")
     if asked.write:
-        (ROOT / "docs/benchmarks").mkdir(exist_ok=True)
-        (ROOT / "docs/benchmarks/data.json").write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
-        (ROOT / "docs/benchmarks.md").write_text(text, encoding="utf-8")
+        report.write_documents(ROOT / "docs", data, text)
     else:
         print(text)
     return 1 if any(summary.contradictions(instance) for instance in data["instances"]) else 0

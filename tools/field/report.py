@@ -1,8 +1,10 @@
 """docs/benchmarks.md, from the data of a run."""
 
+import json
 from pathlib import Path
 from string import Template
 
+import charts
 import summary
 from suite import GROUPS
 
@@ -43,15 +45,32 @@ def proof_cell(one):
     return f"{one['proved']} of {one['instances']}" + (f", {seconds(one['proof_seconds'])}" if one["proved"] else "")
 
 
+def of_group(data, group):
+    names = {cell.name() for cell in GROUPS[group]}
+    return [instance for instance in data["instances"] if instance["cell"] in names]
+
+
+def pictures(data):
+    """Quality over time: a picture a group, by the file's name."""
+    drawn, first = {}, data["seconds"] / 1000
+    for group in GROUPS:
+        instances = of_group(data, group)
+        if instances:
+            courses = {solver: summary.course(instances, solver, first, data["seconds"]) for solver in data["solvers"]}
+            drawn[f"{group}.svg"] = charts.draw(f"{group} problems: median gap to the best plan", courses, first,
+                                                data["seconds"])
+    return drawn
+
+
 def curves(data):
     rows = []
-    for group, cells in GROUPS.items():
-        names = {cell.name() for cell in cells}
-        instances = [instance for instance in data["instances"] if instance["cell"] in names]
+    for group in GROUPS:
+        instances = of_group(data, group)
         for share in summary.SHARES if instances else ():
             at = share * data["seconds"]
             rows.append([group, f"{at:.2g}", *(percent(summary.over_time(instances, solver, at)) for solver in data["solvers"])])
-    return table(["size", "s", *data["solvers"]], rows)
+    shown = [f"![Quality over time, {name}](benchmarks/{name})" for name in pictures(data)]
+    return "\n\n".join([table(["size", "s", *data["solvers"]], rows), *shown])
 
 
 def costs(data):
@@ -95,3 +114,19 @@ def write(data):
                  gaps=of_cells(data, gap_cell), proofs=of_cells(data, proof_cell), curves=curves(data), costs=costs(data),
                  remarks=remarks(data))
     return Template(TEMPLATE.read_text(encoding="utf-8")).substitute(facts)
+
+
+def as_text(data):
+    """A line a problem."""
+    instances = ",\n".join("  " + json.dumps(instance) for instance in data["instances"])
+    rest = json.dumps({key: value for key, value in data.items() if key != "instances"}, indent=1)
+    return rest.removesuffix("\n}") + ',\n "instances": [\n' + instances + "\n ]\n}\n"
+
+
+def write_documents(docs, data, text):
+    folder = docs / "benchmarks"
+    folder.mkdir(exist_ok=True)
+    (folder / "data.json").write_text(as_text(data), encoding="utf-8")
+    for name, picture in pictures(data).items():
+        (folder / name).write_text(picture, encoding="utf-8")
+    (docs / "benchmarks.md").write_text(text, encoding="utf-8")

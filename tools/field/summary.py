@@ -80,6 +80,28 @@ def over_time(instances, name, seconds):
     return median(gaps)
 
 
+def course(instances, name, first, last):
+    """(seconds, median gap) at moments a tenth apart, from the first at which most have a plan; each change once."""
+    points, at = [], first
+    while at <= last * 1.000001:
+        gap_then = over_time(instances, name, at)
+        if gap_then is not None and gap_then != float("inf") and (not points or gap_then != points[-1][1]):
+            points.append((at, gap_then))
+        at *= 1.1
+    return points + [(last, points[-1][1])] if points else []
+
+
+def keep(data, earlier):
+    """The results of an earlier run's other solvers, on the same problems and in the same time, into this run's data."""
+    if earlier["seconds"] != data["seconds"]:
+        raise SystemExit(f"--keep: there the solvers had {earlier['seconds']:g} s each, and here {data['seconds']:g} s")
+    known = {(each["cell"], each["objective"], each["seed"]): each["results"] for each in earlier["instances"]}
+    for each in data["instances"]:
+        each["results"] = {**known.get((each["cell"], each["objective"], each["seed"]), {}), **each["results"]}
+    data["solvers"] = list(dict.fromkeys([*earlier["solvers"], *data["solvers"]]))
+    data["processor_seconds"] += earlier["processor_seconds"]
+
+
 def behind(instances, name):
     """Where a plan of another's is better than this one's, and by how much."""
     found = []

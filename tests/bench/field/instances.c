@@ -105,6 +105,7 @@ static void print_json(json *j, const problem_case *made, const bench_asked *ask
   json_bool(j, "certified", o->end->certificate.certified);
   json_number(j, "seconds", o->end->seconds);
   json_end_object(j);
+  fflush(j->out);
 }
 
 static void print_line(FILE *out, const problem_case *made, const bench_asked *asked, const outcome *o) {
