@@ -34,7 +34,8 @@ function drawAxes(svg) {
   for (let t = 0; t <= chart.time + EPSILON; t += step) {
     const isLast = t + step > chart.time + EPSILON;
     const text = rounded(t, 2) + (isLast ? " s" : "");
-    svg.append(chartText(text, chartX(t), chart.height - 6, { "text-anchor": "middle" }));
+    const isAtEdge = chartX(t) + 4 * text.length > chart.width; // it would be cut
+    svg.append(chartText(text, isAtEdge ? chart.width - 1 : chartX(t), chart.height - 6, { "text-anchor": isAtEdge ? "end" : "middle" }));
   }
 }
 

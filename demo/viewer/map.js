@@ -95,29 +95,43 @@ function drawPlace(context, model, state, number) {
   if (isHidden && $("hidden-mines").checked) drawHiddenMine(context, x, y);
 }
 
-const isOnMap = (x, y, margin) =>
-  x - margin > view.cell * view.left && x + margin < view.cell * (view.left + view.columns) &&
-  y - margin > view.cell * view.top && y + margin < view.cell * (view.top + view.rows);
+const isOnMap = (x, y, across, down) =>
+  x - across > view.cell * view.left && x + across < view.cell * (view.left + view.columns) &&
+  y - down > view.cell * view.top && y + down < view.cell * (view.top + view.rows);
 
-/* Beside a place: the first of its corners on the map that no robot is at; where all are taken, the first on the map. */
-function cornerOf(x, y, beside, robots) {
-  const corners = [[1, -1], [-1, -1], [1, 1], [-1, 1]].map(([right, down]) => [x + right * beside, y + down * beside]);
-  const inside = corners.filter((corner) => isOnMap(...corner, 6));
-  const isFree = ([left, top]) => robots.every((robot) => Math.hypot(robot.x - left, robot.y - top) > robot.reach + 6);
+/* Beside a place, for text that reaches `half` further to both sides than a digit does: the first of its corners on the map that no
+   robot is at, nor other text; where all are taken, the first on the map. */
+function cornerOf(x, y, beside, robots, half = 0, others = []) {
+  const corners = [[1, -1], [-1, -1], [1, 1], [-1, 1]].map(([right, down]) => [x + right * (beside + half), y + down * beside]);
+  const inside = corners.filter(([left, top]) => isOnMap(left, top, half + 6, 6));
+  const apart = (left, at) => Math.max(0, Math.abs(at - left) - half);
+  const isFree = ([left, top]) =>
+    robots.every((robot) => Math.hypot(apart(left, robot.x), robot.y - top) > robot.reach + 6) &&
+    others.every((other) => apart(left, other.x) > other.half + 8 || Math.abs(other.y - top) > 11);
   return inside.find(isFree) ?? inside[0] ?? corners[0];
 }
 
+const MOST_LETTERS = 16; // of a name; on a map as narrow as a phone's fewer, the table below has it all
+
+/* What a place is called, cut to what a map of that width has room for. */
+function shortName(place, number) {
+  const letters = [...placeName(place, number)], most = view.cell * view.columns < 500 ? MOST_LETTERS / 2 : MOST_LETTERS;
+  return letters.length > most ? `${letters.slice(0, most - 1).join("").trimEnd()}…` : letters.join("");
+}
+
 /* Above the robots, or one that stands on a place would hide which it is. */
-function drawNumbers(context, model, now) {
-  // On a small screen the numbers of many places would hide the map.
+function drawNames(context, model, now) {
+  // On a small screen the names of many places would hide the map.
   if (view.cell < 5 && model.data.places.length > 40) return;
-  const reach = 1.7 * robotRadius(model);
+  const reach = 1.7 * robotRadius(model), others = [];
   const robots = model.tracks.map((_, robot) => poseAt(model, robot, now))
     .map((pose) => ({ x: pose.x * view.cell, y: pose.y * view.cell, reach }));
   model.data.places.forEach((place, number) => {
+    const text = shortName(place, number), half = 3 * (text.length - 1);
     const beside = Math.max(view.cell * 0.5, placeRadius(model.data, place) * 0.75) + 3;
-    const [x, y] = cornerOf(place.x * view.cell, place.y * view.cell, beside, robots);
-    label(context, String(number), x, y, 11, style.ink, style.ground);
+    const [x, y] = cornerOf(place.x * view.cell, place.y * view.cell, beside, robots, half, others);
+    others.push({ x, y, half });
+    label(context, text, x, y, 11, style.ink, style.ground);
   });
 }
 
@@ -280,5 +294,5 @@ function drawMap(model, state, now) {
   for (const event of state.shut) drawShut(context, event);
   drawPulses(context, model, state.passed, now);
   for (let robot = 0; robot < model.data.robots; robot++) drawRobot(context, model, state, robot, now);
-  drawNumbers(context, model, now);
+  drawNames(context, model, now);
 }

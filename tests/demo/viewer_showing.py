@@ -140,24 +140,51 @@ class Showing(Pages):
         self.browser.wait_for(f"return {picture} !== arguments[0]", before)
         self.assertEqual(self.colours_at(SAMPLE["places"][8]), 2)
 
-    def test_no_number_of_a_place_lies_under_a_robot(self):
-        """Each place's number is drawn after the robots, at a corner of the place that no robot is at."""
-        self.open_replay()
-        self.scrub(1)
+    def labels_of_places(self):
+        """What is written beside the places, as the page draws it: the last of all labels."""
         labels = self.browser.run("""
             const drawn = [], plain = window.label;
             window.label = (context, text, x, y, ...rest) => { drawn.push([text, x, y]); plain(context, text, x, y, ...rest); };
             show();
             window.label = plain;
             return drawn;""")
-        places = len(SAMPLE["places"])
-        self.assertEqual([text for text, _, _ in labels[-places:]], [str(place) for place in range(places)])
+        return labels[-len(SAMPLE["places"]):]
+
+    def test_no_number_of_a_place_lies_under_a_robot(self):
+        """Each place's number is drawn after the robots, at a corner of the place that no robot is at."""
+        self.open_replay()
+        self.scrub(1)
+        labels = self.labels_of_places()
+        self.assertEqual([text for text, _, _ in labels], [str(place) for place in range(len(SAMPLE["places"]))])
         corner = """return cornerOf(view.cell * (view.left + 3), view.cell * (view.top + 3), view.cell,
             arguments[0].map(([x, y]) => ({ x: view.cell * (view.left + x), y: view.cell * (view.top + y), reach: view.cell / 2 })))
             .map((at, axis) => Math.round(at / view.cell - (axis === 0 ? view.left : view.top)))"""
         for robots, expected in (([], [4, 2]), ([[4, 2]], [2, 2]), ([[4, 2], [2, 2]], [4, 4]),
                                  ([[4, 2], [2, 2], [4, 4]], [2, 4]), ([[4, 2], [2, 2], [4, 4], [2, 4]], [4, 2])):
             self.assertEqual(self.browser.run(corner, robots), expected)
+
+    def test_places_go_by_their_names_on_the_map(self):
+        """Whole where there is room, cut on a map as narrow as a phone's; no name lies on another one."""
+        names = ["Well", "B07", "Washing machine", *(f"Orchard C{number:02}" for number in range(3, len(SAMPLE["places"])))]
+        places = [{**place, "name": name} for place, name in zip(SAMPLE["places"], names)]
+        for width, expected in ((1280, names[:4]), (390, ["Well", "B07", "Washing…", "Orchard…"])):
+            self.browser.resize(width, 844)
+            self.open_replay(places=places)
+            self.browser.draw(2)
+            labels = self.labels_of_places()
+            self.assertEqual([text for text, _, _ in labels[:4]], expected)
+            near = [(one, other) for at, one in enumerate(labels) for other in labels[:at]
+                    if abs(one[2] - other[2]) < 10 and abs(one[1] - other[1]) < 3 * (len(one[0]) + len(other[0]) - 2)]
+            self.assertEqual(near, [])
+
+    def test_the_charts_figures_lie_inside_it(self):
+        for duration in (807.9, 98.5, 400.0, 41.2):
+            self.open_replay(duration=duration, plan=[[0, 0.5], [duration, 1]])
+            outside = self.browser.run("""
+                const edge = document.querySelector("#chart").getBoundingClientRect();
+                return [...document.querySelectorAll("#chart text")].map((text) => text.getBoundingClientRect())
+                    .filter((box) => box.width > 0 && (box.left < edge.left - 0.5 || box.right > edge.right + 0.5)).length""")
+            self.assertEqual(outside, 0, duration)
 
     def move(self, many, left, top):
         """Whatever has a place on the map."""
