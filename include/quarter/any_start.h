@@ -31,8 +31,8 @@
 
 QTR_C_BEGIN
 
-/* What the table is to be for. Game and regions must outlive its making. The game's robots need not come home: where
- * that counts, other starts make another mission. */
+/* What the table is to be for. Game and regions must outlive its making. Robots come home to wherever they start.
+ * None of them may have an end: who is home in time depends on where it is. */
 typedef struct {
   const qtr_game *game;       /* the mission's own, set up */
   const qtr_regions *regions; /* any of them may be a start; NULL: the mission's own starts alone */
@@ -72,8 +72,8 @@ typedef struct {
   double crews;   /* done */
 } qtr_any_start;
 
-/* QTR_OK; QTR_ERR_LIMIT for more regions than a table can tell starts of, QTR_ERR_ARGUMENT for robots that must come
- * home, and for any places cleared where they are looked at more than once. */
+/* QTR_OK; QTR_ERR_LIMIT for more regions than a table can tell starts of, QTR_ERR_ARGUMENT for robots that must be
+ * home in time, and for any places cleared where they are looked at more than once or coming home counts. */
 int qtr_any_start_needs(qtr_any_start_sizes *sizes, const qtr_any_start_asked *asked);
 
 /* Measure the board. `travel` is scratch. QTR_OK, what qtr_any_start_needs() says, QTR_ERR_STOPPED by the mission's

@@ -51,8 +51,7 @@ int qtr_game_init_built(qtr_game *game, const qtr_mission *mission, qtr_travel *
                         uint32_t config_id);
 
 /* As qtr_game_init() without a search: out of a board that knows the travel times already. Its place `place[p]` is the
- * mission's place p, its start `start_of[i]` is seeker i's; its classes are the mission's. QTR_ERR_ARGUMENT for a
- * mission whose robots must come home, for no board knows those ways. */
+ * mission's place p, its start `start_of[i]` is seeker i's; its classes are the mission's. */
 #define qtr_game_init_known(game, mission, known, place, start_of)                                                     \
   qtr_game_init_known_built(game, mission, known, place, start_of, QTR_CONFIG_ID)
 int qtr_game_init_known_built(qtr_game *game, const qtr_mission *mission, const qtr_board *known, const uint16_t *place,

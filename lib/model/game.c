@@ -104,6 +104,25 @@ static void copy_travel(qtr_game *game, const qtr_board *known, const uint16_t *
   game->measured = game->mission->places;
 }
 
+#if QTR_TERMS
+/* A way costs the cells that it enters: back it enters its first one, and not its last. */
+static void copy_home(qtr_game *game, const qtr_board *known, const uint16_t *place, const uint16_t *start_of) {
+  const qtr_mission *mission = game->mission;
+  for (unsigned i = 0; i < mission->seekers; i++) {
+    const qtr_robot_class *of = &mission->robot_class[mission->class_of[i]];
+    const qtr_steps at_start = of->cell_steps * mission->cost[mission->start[i]];
+    for (unsigned p = 0; p < game->board.places; p++) {
+      const unsigned to = qtr_game_place(game, p);
+      const qtr_steps out =
+          qtr_board_class_steps(known, mission->class_of[i], (unsigned)known->places + start_of[i], place[to]);
+      const qtr_steps at_place = of->scan[to] + of->cell_steps * mission->cost[mission->place[to]];
+      qtr_store32(game->home + 4 * ((size_t)i * game->board.places + p),
+                  out == QTR_NEVER ? QTR_NEVER : out + at_start - at_place);
+    }
+  }
+}
+#endif
+
 /* Once more, over what was rounded: for the assertion alone. */
 static double sum_of_probabilities(const qtr_game *game) {
   double sum = 0.0;
@@ -329,8 +348,10 @@ int qtr_game_init_known_built(qtr_game *game, const qtr_mission *mission, const 
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   const int status = begin(game, mission, NULL);
   if (status != QTR_OK) return status;
-  if (comes_home(game)) return QTR_ERR_ARGUMENT;
   copy_travel(game, known, place, start_of);
+#if QTR_TERMS
+  if (comes_home(game)) copy_home(game, known, place, start_of);
+#endif
   return finish(game, NULL);
 }
 

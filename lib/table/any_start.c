@@ -11,11 +11,14 @@
 
 /* ---- the board of all starts ---- */
 
-/* What no board of other starts tells: ways home; and which looks are left at a place that counts as cleared. */
+/* What no board of other starts tells: who is home in time, for crews share states, and a state tells nothing of homes;
+ * and which looks are left at a place that counts as cleared. How much coming home counts is not told either, but what
+ * any crew does in a state can be done by all. */
 static bool cannot_be_held(const qtr_any_start_asked *asked) {
   const qtr_game *game = asked->game;
-  const bool comes_home = game->board.terms.end != NULL || game->objective.terms.home_weight > 0.0;
-  return comes_home || (asked->any_cleared && game->board.terms.look_of != NULL);
+  const bool counts_looks = game->board.terms.look_of != NULL;
+  const bool counts_home = game->objective.terms.home_weight > 0.0;
+  return game->board.terms.end != NULL || (asked->any_cleared && (counts_looks || counts_home));
 }
 
 /* Without regions there are no crews but the mission's own: then the games differ by the places cleared alone. */
@@ -85,6 +88,7 @@ int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *aske
   any->board = asked->game->board;
   any->board.starts = sizes.starts;
   any->board.steps = blocks->steps;
+  any->board.terms.by_home = false; /* crews of regions are multisets, wherever their homes are */
   set_starts(any);
   set_regions(any);
   const qtr_matrix_nodes nodes = {mission, any->board.places, any->board.terms.look_of, blocks->start, sizes.starts};

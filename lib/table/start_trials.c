@@ -44,6 +44,7 @@ bool qtr_start_trials_next(qtr_start_trials *trials, const qtr_policy *policy, c
 static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *deployment, const qtr_game *game) {
   qtr_steps visit[QTR_MAX_PLACES];
   qtr_score score;
+  uint64_t home = 0;
   for (unsigned place = 0; place < policy->board.places; place++) visit[place] = QTR_NEVER;
   for (unsigned i = 0; i < policy->board.seekers; i++) {
     unsigned node = (unsigned)policy->board.places + game->board.start_of[i];
@@ -58,8 +59,9 @@ static double earn_on_ground(const qtr_policy *policy, const qtr_deployment *dep
       node = place;
       visit[node] = now;
     }
+    home += (uint64_t)now + qtr_game_way_home(game, i, node);
   }
-  qtr_game_score(game, visit, 0, &score);
+  qtr_game_score(game, visit, home, &score);
   return score.worth;
 }
 

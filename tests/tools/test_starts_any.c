@@ -134,11 +134,28 @@ static void test_classes_looks_ready_times_and_a_deadline_are_taken(void) {
   TEST_ASSERT_NOT_NULL_MESSAGE(strstr(other.err, "--from 6,1: no place can be reached"), other.err);
 }
 
-static void test_robots_that_must_come_home_are_refused(void) {
+/* Homes are where the robots start: from the mission's own it earns what it says, from others what is measured. */
+static void test_coming_home_is_taken(void) {
+  write_terms("", "objective: time\nhome_weight: 1\n");
+  run_tool(&learnt, "learn m.yaml --starts any -o any.qtr --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, learnt.status, learnt.err);
+  TEST_ASSERT_EQUAL_DOUBLE(100.0, json_value(learnt.out, "trials"));
+  TEST_ASSERT_TRUE(json_value(learnt.out, "median_loss") < 0.05);
+  run_tool(&other, "simulate any.qtr --from 6,1 --from 8,3 --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, other.status, other.err);
+  TEST_ASSERT_TRUE(json_is(other.out, "off_table", "0"));
+  run_tool(&other, "inspect any.qtr --json");
+  TEST_ASSERT_EQUAL_INT_MESSAGE(0, other.status, other.err);
+  TEST_ASSERT_EQUAL_DOUBLE(json_value(learnt.out, "expected_time"), json_value(other.out, "expected_time"));
+}
+
+static void test_robots_that_must_be_home_in_time_are_refused(void) {
   write_terms(", endurance_seconds: 900", "");
   run_tool(&learnt, "learn m.yaml --starts any");
   TEST_ASSERT_EQUAL_INT(2, learnt.status);
-  TEST_ASSERT_NOT_NULL_MESSAGE(strstr(learnt.err, "--starts any takes no endurance and no home_weight"), learnt.err);
+  TEST_ASSERT_NOT_NULL_MESSAGE(
+      strstr(learnt.err, "--starts any takes no endurance: which robot is home in time depends on where it starts"),
+      learnt.err);
 }
 
 /* ---- an office floor ---- */
@@ -205,7 +222,8 @@ int main(void) {
   RUN_TEST(test_regions_are_as_many_as_asked_for);
   RUN_TEST(test_budget_of_bytes_is_kept);
   RUN_TEST(test_classes_looks_ready_times_and_a_deadline_are_taken);
-  RUN_TEST(test_robots_that_must_come_home_are_refused);
+  RUN_TEST(test_coming_home_is_taken);
+  RUN_TEST(test_robots_that_must_be_home_in_time_are_refused);
   RUN_TEST(test_office_floor_takes_little_and_loses_little);
   return UNITY_END();
 }

@@ -36,11 +36,12 @@ static int check_terms(const input *in, const plan_config *config, fault *why) {
                      "%s: --cleared any takes no classes, looks, ready times, endurance, deadline or home_weight yet; "
                      "leave them out",
                      in->path);
-  if (config->any_starts && terms_come_home(mission))
+  if (config->any_starts && terms_end(mission))
     return fault_set(
         why,
-        "%s: --starts any takes no endurance and no home_weight: robots that must come home have other ways "
-        "there from each start; leave them out",
+        "%s: --starts any takes no endurance: which robot is home in time depends on where it starts, and starts share "
+        "what is learnt; where the starts are known learn for them or leave "
+        "endurance_seconds out",
         in->path);
   if (config->aggregate.way == AGGREGATE_NONE) return 0;
   if (aggregate_by_regions(config->aggregate.way) ? terms_any(mission) : terms_leave_no_spots(mission))

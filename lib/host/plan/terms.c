@@ -185,14 +185,14 @@ bool terms_depend_on_progress(const qtr_mission *mission) {
   return terms_leave_no_spots(mission) || mission->aim.kind == QTR_DEADLINE;
 }
 
-bool terms_come_home(const qtr_mission *mission) {
+bool terms_end(const qtr_mission *mission) {
   for (unsigned i = 0; i < mission->classes; i++)
     if (mission->robot_class[i].endurance != QTR_NEVER) return true;
-  return mission->aim.home_weight > 0.0;
+  return false;
 }
 
 bool terms_leave_no_spots(const qtr_mission *mission) {
-  if (mission->classes > 1 || terms_come_home(mission)) return true;
+  if (mission->classes > 1 || terms_end(mission) || mission->aim.home_weight > 0.0) return true;
   for (int i = 0; i < mission->seekers; i++)
     if (mission->ready[i] > 0) return true;
   for (int place = 0; place < mission->places; place++)

@@ -14,9 +14,9 @@ int terms_apply(input *in, pace *p, fault *why);
 bool terms_any(const qtr_mission *mission);
 
 /* Whether they ask what a table for any progress does not know: it takes one class, one look, and neither ready times
- * nor ends; or what one for any start does not: the ways home. */
+ * nor ends; or what one for any start does not: who must be home in time. */
 bool terms_depend_on_progress(const qtr_mission *mission);
-bool terms_come_home(const qtr_mission *mission);
+bool terms_end(const qtr_mission *mission);
 
 /* Whether it has terms that spots cannot take: they take scan times and a deadline. */
 bool terms_leave_no_spots(const qtr_mission *mission);
