@@ -76,6 +76,8 @@ static int take_moment(uint32_t *steps, double *seconds, const char *name, const
     snprintf(number, sizeof number, "%.*s", (int)(length - 1), value);
     return option_number(seconds, name, number, "of seconds, from 0 to 1e9", 0.0, 1e9, why);
   }
+  if (strspn(value, "0123456789") != length)
+    return fault_set(why, "--%s: '%s' is no moment; say steps, as 40, or seconds, as 40s", name, value);
   if (option_count(&count, name, value, 0, most, why) != 0) return -1;
   *steps = (uint32_t)count;
   return 0;

@@ -48,6 +48,9 @@ static void test_what_is_not_there_is_refused_with_what_was_meant(void) {
   refuse_place("-2", "there is no place -2; there are places 0 to 7 but those that were left out, or give a name");
   TEST_ASSERT_EQUAL_INT(-1, naming_find_seeker(&called, "2", wrong));
   TEST_ASSERT_EQUAL_STRING("there is no robot 2; there are robots 0 to 1", wrong);
+  strcpy(names.seeker[0], "Mole");
+  TEST_ASSERT_EQUAL_INT(-1, naming_find_seeker(&called, "2", wrong));
+  TEST_ASSERT_EQUAL_STRING("there is no robot 2; there are robots Mole and Alpha", wrong);
 }
 
 static void test_long_names_are_compared_with_care(void) {

@@ -93,6 +93,8 @@ static void test_who_cannot_be_left_out(void) {
   scratch_options.withouts = 1;
   scratch_options.without[0] = "1";
   refuse_options("there is such a place and such a robot; say place:1 or robot:1");
+  scratch_options.without[0] = "Alpha, Bravo";
+  refuse_options("for several give --without once for each");
   scratch_options.without[0] = "Alpa";
   refuse_options("--without: there is no robot Alpa; did you mean 'Alpha'?");
   scratch_options.without[0] = "place:Alpha";

@@ -7,6 +7,8 @@
 #include "host/base/text.h"
 #include "host/base/utf8.h"
 
+enum { MOST_TOLD = 8 }; /* robots, in a fault */
+
 static naming_label label_of(const char *name, unsigned number) {
   naming_label label;
   if (name[0] != '\0')
@@ -78,6 +80,24 @@ int naming_find_place(const naming *n, const char *word, char *wrong) {
   return -1;
 }
 
+typedef struct {
+  char text[FAULT_LINE / 2];
+} robot_list;
+
+/* "Mole and Vole", or "0 to 2" where not all have names, or there are many. */
+static robot_list list_robots(const naming *n) {
+  const char *known[MOST_TOLD + 1] = {NULL};
+  robot_list list;
+  int named = 0;
+  for (int i = 0; i < n->seekers && i < MOST_TOLD; i++)
+    if (n->names->seeker[i][0] != '\0') known[named++] = n->names->seeker[i];
+  if (named > 0 && named == n->seekers)
+    near_list(list.text, sizeof list.text, known);
+  else
+    snprintf(list.text, sizeof list.text, "0 to %d", n->seekers - 1);
+  return list;
+}
+
 int naming_find_seeker(const naming *n, const char *word, char *wrong) {
   int seeker = find_name(n->names->seeker, n->seekers, word);
   if (seeker < 0) seeker = find_number(NULL, n->seekers, word);
@@ -86,7 +106,7 @@ int naming_find_seeker(const naming *n, const char *word, char *wrong) {
   if (meant != NULL)
     snprintf(wrong, FAULT_LINE, "there is no robot %.100s; did you mean '%s'?", word, meant);
   else
-    snprintf(wrong, FAULT_LINE, "there is no robot %.100s; there are robots 0 to %d", word, n->seekers - 1);
+    snprintf(wrong, FAULT_LINE, "there is no robot %.100s; there are robots %s", word, list_robots(n).text);
   return -1;
 }
 

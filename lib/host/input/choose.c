@@ -85,7 +85,8 @@ static int leave_out_either(absent *left, const naming *n, const char *word, fau
     return fault_set(why, "--without %s: there is such a place and such a robot; say place:%s or robot:%s", word, word,
                      word);
   if (place < 0 && robot < 0)
-    return fault_set(why, "--without: %s", strstr(as_robot, "did you mean") != NULL ? as_robot : as_place);
+    return fault_set(why, "--without: %s%s", strstr(as_robot, "did you mean") != NULL ? as_robot : as_place,
+                     strchr(word, ',') != NULL ? "; for several give --without once for each" : "");
   *(place >= 0 ? &left->place[place] : &left->robot[robot]) = true;
   return 0;
 }
@@ -145,7 +146,7 @@ static int drop_cleared(input *in, fault *why) {
   if (drop_places(in, drop, list) == 0) return 0;
   notes_add(&in->note, "%s: cleared, and so searched by nobody: %s", file_short_path(in->path), list);
   if (in->mission.places > 0) return 0;
-  return file_fault(why, in->path, 0, 0, "all places are cleared: there is nothing left to search");
+  return file_fault(why, in->path, 0, 0, "all places are cleared: there is nothing left to search; clear fewer");
 }
 
 static int drop_absent(input *in, const absent *left, fault *why) {
