@@ -99,6 +99,10 @@ static void test_more_than_the_build_holds_is_refused(void) {
   TEST_ASSERT_EQUAL_INT(-1, problem_of_family(&made, &wish, &why));
   TEST_ASSERT_NOT_NULL(strstr(why.text, "looks are more than this build holds"));
   wish = wish_of(FAMILY_SCATTER, 1);
+  wish.places = 4096;
+  TEST_ASSERT_EQUAL_INT(-1, problem_of_family(&made, &wish, &why));
+  TEST_ASSERT_NOT_NULL(strstr(why.text, "more than this build holds"));
+  wish = wish_of(FAMILY_SCATTER, 1);
   wish.side = 3;
   TEST_ASSERT_EQUAL_INT(-1, problem_of_family(&made, &wish, &why));
   TEST_ASSERT_EQUAL_STRING("no room for 12 places on ground of that size", why.text);

@@ -160,6 +160,18 @@ def check_report():
     report.write(data)
 
 
+def check_documents():
+    """docs/benchmarks.md and its pictures are made of its data."""
+    docs = ROOT / "docs"
+    data = json.loads((docs / "benchmarks/data.json").read_text(encoding="utf-8"))
+    made = {"benchmarks.md": report.write(data)}
+    made.update((f"benchmarks/{name}", picture) for name, picture in report.pictures(data).items())
+    for name, text in made.items():
+        if (docs / name).read_text(encoding="utf-8") != text:
+            sys.exit(f"docs/{name} is not what ./run bench --field --write makes of docs/benchmarks/data.json")
+    expect("contradictions", [fault for each in data["instances"] for fault in summary.contradictions(each)], [])
+
+
 def check_suite():
     cells = [cell for group in GROUPS.values() for cell in group]
     expect("names of cells, each once", len({cell.name() for cell in cells}), len(cells))
@@ -176,6 +188,7 @@ def main():
     check_keeping()
     check_report()
     check_suite()
+    check_documents()
     with tempfile.TemporaryDirectory() as scratch:
         found = check_solvers(asked.bench, asked.packages, scratch)
     told = ", ".join([*OWN, "dense Q", *found])

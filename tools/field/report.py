@@ -104,6 +104,8 @@ def remarks(data):
     lines = of_contradictions(data) + of_defeats(data)
     for name in data["solvers"]:
         lines += of_notes(data, name)
+    if data.get("kept"):
+        lines.append(f"- The results of {', '.join(data['kept'])} are of an earlier run on this machine, on the same problems.")
     return "\n".join(lines + [f"- Left out: {what}." for what in data["left"]])
 
 

@@ -98,6 +98,7 @@ def keep(data, earlier):
     known = {(each["cell"], each["objective"], each["seed"]): each["results"] for each in earlier["instances"]}
     for each in data["instances"]:
         each["results"] = {**known.get((each["cell"], each["objective"], each["seed"]), {}), **each["results"]}
+    data["kept"] = [name for name in earlier["solvers"] if name not in data["solvers"]]
     data["solvers"] = list(dict.fromkeys([*earlier["solvers"], *data["solvers"]]))
     data["processor_seconds"] += earlier["processor_seconds"]
 

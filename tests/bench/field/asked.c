@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include "host/base/option.h"
-#include "quarter/config.h"
 #include "quarter/objective.h"
 
 static const char *const tasks[] = {"write", "certified", "paper", "exact", "judge", NULL};
@@ -33,7 +32,7 @@ static option_table records = {
      .standard = "1",
      .kind = OPTION_COUNT,
      .first = 1,
-     .last = QTR_MAX_SEEKERS,
+     .last = 64,
      OPTION_FIELD(bench_asked, family.robots)},
     {.name = "return",
      .help = "each robot's arrival back at its start counts as a place's",
@@ -100,7 +99,7 @@ static option_table records = {
      .standard = "12",
      .kind = OPTION_COUNT,
      .first = 1,
-     .last = QTR_MAX_PLACES,
+     .last = 4096,
      OPTION_FIELD(bench_asked, family.places)},
     {.name = "looks",
      .argument = "N",
@@ -137,7 +136,9 @@ static const option_line lines[] = {OPTION_LINE("clone"),      OPTION_LINE("take
                                     OPTION_LINE("time-limit"), OPTION_LINE("json"),      {.options = NULL}};
 
 static const option_set set = {
-    NULL, "./run bench [OPTIONS]: what Quarter takes on this machine, beside what it promises\n", "", records, lines};
+    NULL, "./run bench [OPTIONS]: what Quarter takes on this machine, beside what it promises\n",
+    "\n./run bench --field runs it beside other solvers and has options of its own: ./run bench --field --help\n",
+    records, lines};
 
 static int check(const bench_asked *asked, fault *why) {
   const bool competes = asked->task != BENCH_NO_TASK;
