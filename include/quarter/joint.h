@@ -27,12 +27,12 @@ QTR_C_BEGIN
 #define QTR_NOBODY (-1)
 
 typedef struct {
+  uint16_t node[QTR_MAX_SEEKERS];
+  qtr_steps remaining[QTR_MAX_SEEKERS]; /* 0 unless bound for node[i], or not yet ready there */
   qtr_places visited;
   qtr_places bound;   /* places that some seeker is bound for */
   uint16_t unvisited; /* how many places are left to visit */
-  uint16_t node[QTR_MAX_SEEKERS];
-  qtr_steps remaining[QTR_MAX_SEEKERS]; /* 0 unless bound for node[i], or not yet ready there */
-  qtr_steps now;                        /* since the first state */
+  qtr_steps now;      /* since the first state */
 } qtr_joint;
 
 /* The first state: every seeker idle, or not yet ready, at its start of `start_of` (NULL: the board's own), `cleared`

@@ -14,9 +14,9 @@
 
 QTR_C_BEGIN
 
-/* Words that hold the key of any state of any board of this build: visited places, the clock, and a node and a time a
- * seeker. */
-#define QTR_KEY_WORDS (QTR_PLACE_WORDS + 1 + (((QTR_MAX_SEEKERS * 48) + 31) / 32))
+/* Words that hold the key of any state of any board of this build: visited places, the clock where there are terms, and
+ * a node and a time a seeker. */
+#define QTR_KEY_WORDS (QTR_PLACE_WORDS + (QTR_TERMS ? 1 : 0) + (((QTR_MAX_SEEKERS * 48) + 31) / 32))
 
 /* What the numbers in a game's keys range over, and so how long keys are. Fill what qtr_key_measure() does not set,
  * then call it. */

@@ -14,7 +14,6 @@ unsigned qtr_board_nodes(const qtr_board *board) {
 /* The copies that are called. */
 extern inline qtr_steps qtr_load_steps(const uint8_t *times, unsigned bytes, uint32_t i);
 extern inline qtr_steps qtr_steps_of_class(const qtr_board *board, unsigned of_class, unsigned node, unsigned place);
-extern inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place);
 
 unsigned qtr_board_classes(const qtr_board *board) {
   return (QTR_TERMS && (board->terms.classes > 1u)) ? board->terms.classes : 1u;
@@ -79,34 +78,6 @@ int qtr_board_check(const qtr_board *board) {
   return QTR_OK;
 }
 
-static bool seekers_are_sound(const qtr_board *board) {
-  for (unsigned i = 0; i < board->seekers; i++) {
-    if ((board->start_of[i] >= board->starts) ||
-        (QTR_TERMS && (board->terms.class_of[i] >= qtr_board_classes(board)))) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/* The base of the digit that a key has for steps that remain, on the way or until a seeker is ready; QTR_NEVER is no
- * way and gets no digit. */
-static qtr_steps find_longest(const qtr_board *board) {
-  const uint32_t times = (uint32_t)qtr_board_classes(board) * qtr_board_nodes(board) * board->places;
-  qtr_steps longest = 0;
-  for (uint32_t i = 0; i < times; i++) {
-    const qtr_steps steps = qtr_load_steps(board->steps, board->step_bytes, i);
-    if ((steps != QTR_NEVER) && (steps > longest)) {
-      longest = steps;
-    }
-  }
-  for (unsigned i = 0; QTR_TERMS && (i < board->seekers); i++) {
-    const qtr_steps ready = qtr_board_ready(board, i);
-    longest = (ready > longest) ? ready : longest;
-  }
-  return longest;
-}
-
 #if QTR_TERMS
 static bool are_alike(const qtr_board *board, unsigned i, unsigned other) {
   if (board->terms.class_of[i] != board->terms.class_of[other]) {
@@ -115,35 +86,50 @@ static bool are_alike(const qtr_board *board, unsigned i, unsigned other) {
   return !board->terms.by_home || ((board->start_of[i] == board->start_of[other]) &&
                                    (qtr_board_ready(board, i) == qtr_board_ready(board, other)));
 }
-#endif
 
 /* A kind goes by the lowest number of those that are of it. */
-static void find_kinds(qtr_board *board) {
-  for (unsigned i = 0; i < board->seekers; i++) {
-    unsigned kind = 0;
-#if QTR_TERMS
-    while (!are_alike(board, i, kind)) {
-      kind++;
-    }
-#endif
-    board->keys.kind[i] = (uint8_t)kind;
+static void find_kind(qtr_board *board, unsigned i) {
+  unsigned kind = 0;
+  while (!are_alike(board, i, kind)) {
+    kind++;
   }
+  board->keys.kind[i] = (uint8_t)kind;
+}
+#endif
+
+static bool is_sound(const qtr_board *board, unsigned i) {
+  return (board->start_of[i] < board->starts) && (!QTR_TERMS || (board->terms.class_of[i] < qtr_board_classes(board)));
 }
 
+/* The longest time is the base of the digit that a key has for steps that remain, on the way or until a seeker is
+ * ready; QTR_NEVER is no way and gets no digit. */
 int qtr_board_derive(qtr_board *board) {
-  if (!seekers_are_sound(board)) {
-    return QTR_ERR_ARGUMENT;
+  const uint32_t nodes = qtr_board_nodes(board);
+  const uint32_t times = qtr_board_classes(board) * nodes * board->places;
+  qtr_steps longest = 0;
+  for (unsigned i = 0; i < board->seekers; i++) {
+    if (!is_sound(board, i)) {
+      return QTR_ERR_ARGUMENT;
+    }
+#if QTR_TERMS
+    find_kind(board, i);
+    const qtr_steps ready = qtr_board_ready(board, i);
+    longest = (ready > longest) ? ready : longest;
+#endif
   }
-  board->keys.places = board->places;
-  board->keys.nodes = (uint16_t)qtr_board_nodes(board);
-  board->keys.seekers = board->seekers;
-  board->keys.clock = QTR_TERMS ? board->terms.clock : 0u;
-  find_kinds(board);
-  board->keys.longest = find_longest(board);
+  for (uint32_t i = 0; i < times; i++) {
+    const qtr_steps steps = qtr_load_steps(board->steps, board->step_bytes, i);
+    longest = ((steps != QTR_NEVER) && (steps > longest)) ? steps : longest;
+  }
   /* Sums over a whole game must fit qtr_steps: told by the upper halves, which need no wider numbers. */
-  if ((((board->keys.longest >> 16) + 1u) * (board->places + 1u)) > 0xFFFFu) {
+  if ((((longest >> 16) + 1u) * (board->places + 1u)) > 0xFFFFu) {
     return QTR_ERR_LIMIT;
   }
+  board->keys.longest = longest;
+  board->keys.places = board->places;
+  board->keys.nodes = (uint16_t)nodes;
+  board->keys.seekers = board->seekers;
+  board->keys.clock = QTR_TERMS ? board->terms.clock : 0u;
   qtr_key_measure(&board->keys);
   return QTR_OK;
 }

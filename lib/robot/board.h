@@ -27,9 +27,14 @@ inline qtr_steps qtr_steps_of_class(const qtr_board *board, unsigned of_class, u
 }
 
 /* qtr_board_steps() likewise. */
-inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
+static inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
   QTR_ASSERT(seeker < board->seekers);
   return qtr_steps_of_class(board, QTR_TERMS ? board->terms.class_of[seeker] : 0u, node, place);
+}
+
+/* Without terms all are of one kind, and nothing is kept of it. */
+static inline unsigned kind_of_seeker(const qtr_key_shape *shape, unsigned seeker) {
+  return QTR_TERMS ? shape->kind[seeker] : 0u;
 }
 
 /* Whether a board's numbers, without its seats and travel times, are in their ranges: QTR_OK; QTR_ERR_LIMIT,

@@ -7,6 +7,7 @@
 #include "core/crc.h"
 #include "quarter/deployment.h"
 #include "quarter/nominal.h"
+#include "robot/joint.h"
 #include "robot/layout.h"
 
 /* A choice, and the step at which it is made. */
@@ -17,7 +18,7 @@ static uint32_t add(uint32_t digest, int seeker, uint16_t choice, qtr_steps now)
 QTR_APART static void start(qtr_joint *joint, const qtr_policy *policy) {
   qtr_deployment home;
   qtr_deployment_home(&home, policy);
-  qtr_joint_start(joint, &policy->board, home.start_of, &home.cleared);
+  qtr_joint_begin(joint, &policy->board, home.start_of, &home.cleared);
 }
 
 /* One pass over the game, choice by choice. */

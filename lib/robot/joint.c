@@ -58,21 +58,15 @@ QTR_APART static bool has_look_before(const qtr_joint *joint, const qtr_board *b
   return false;
 }
 
-static bool is_open(const qtr_joint *joint, const qtr_board *board, unsigned place, bool follows, bool lowest) {
-  if (place_is_in(&joint->visited, place) || (!follows && place_is_in(&joint->bound, place))) {
-    return false;
-  }
-  return !lowest || !has_look_before(joint, board, place);
-}
-
-/* The places that an idle seeker may choose of those that are open, added to `choices` (may be NULL: then only the
+/* The places that an idle seeker may choose of those not in `taken`, added to `choices` (may be NULL: then only the
  * answer counts), and whether there are any. */
-static bool find_open(const qtr_joint *joint, const qtr_board *board, unsigned seeker, bool follows,
+static bool find_open(const qtr_joint *joint, const qtr_board *board, unsigned seeker, const qtr_places *taken,
                       qtr_places *choices) {
   const bool lowest = QTR_TERMS && (choices != NULL) && (board->terms.look_of != NULL) && is_alone(joint, board);
   bool any = false;
   for (unsigned place = 0; place < board->places; place++) {
-    if (!is_open(joint, board, place, follows, lowest) || !is_feasible(joint, board, seeker, place)) {
+    if (place_is_in(taken, place) || (lowest && has_look_before(joint, board, place)) ||
+        !is_feasible(joint, board, seeker, place)) {
       continue;
     }
     if (choices == NULL) {
@@ -86,14 +80,26 @@ static bool find_open(const qtr_joint *joint, const qtr_board *board, unsigned s
 
 /* By Table 1 places that others are bound for come in when fewer places than seekers are left; so too when a seeker has
  * no others within its reach. */
-static bool find_choices(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices) {
-  const bool may_follow = (board->rule == QTR_RULE_PAPER) && (joint->unvisited < board->seekers);
-  return find_open(joint, board, seeker, may_follow, choices) ||
-         ((board->rule == QTR_RULE_PAPER) && find_open(joint, board, seeker, true, choices));
+bool qtr_joint_options(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices) {
+  const bool may_follow = board->rule == QTR_RULE_PAPER;
+  bool follows = may_follow && (joint->unvisited < board->seekers);
+  for (;;) {
+    qtr_places taken = joint->visited;
+    for (unsigned w = 0; !follows && (w < QTR_PLACE_WORDS); w++) {
+      taken.word[w] |= joint->bound.word[w];
+    }
+    if (find_open(joint, board, seeker, &taken, choices)) {
+      return true;
+    }
+    if (follows || !may_follow) {
+      return false;
+    }
+    follows = true;
+  }
 }
 
 static void stand_down_if_useless(qtr_joint *joint, const qtr_board *board, unsigned seeker) {
-  if (!find_choices(joint, board, seeker, NULL)) {
+  if (!qtr_joint_options(joint, board, seeker, NULL)) {
     joint->node[seeker] = QTR_STAND_DOWN;
   }
 }
@@ -108,21 +114,21 @@ static void stand_down_the_useless(qtr_joint *joint, const qtr_board *board, boo
   }
 }
 
+/* Who follows another one to a place may find it visited: then it just arrives. */
 static void visit(qtr_joint *joint, unsigned place) {
-  /* A place is visited once, and `unvisited` counts the others. */
-  QTR_ASSERT((joint->unvisited > 0u) && !place_is_in(&joint->visited, place));
+  if (place_is_in(&joint->visited, place)) {
+    return;
+  }
+  QTR_ASSERT(joint->unvisited > 0u);
   place_put(&joint->visited, place);
   place_take(&joint->bound, place);
   joint->unvisited--;
 }
 
-void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *start_of, const qtr_places *cleared) {
-  if (start_of == NULL) {
-    start_of = board->start_of;
-  }
+void qtr_joint_begin(qtr_joint *joint, const qtr_board *board, const uint16_t *start_of, const qtr_places *cleared) {
   bytes_clear(joint, (uint32_t)sizeof *joint);
   joint->unvisited = board->places;
-  for (unsigned place = 0; (cleared != NULL) && (place < board->places); place++) {
+  for (unsigned place = 0; place < board->places; place++) {
     if (place_is_in(cleared, place)) {
       visit(joint, place);
     }
@@ -135,9 +141,15 @@ void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *s
   stand_down_the_useless(joint, board, true);
 }
 
+void qtr_joint_start(qtr_joint *joint, const qtr_board *board, const uint16_t *start_of, const qtr_places *cleared) {
+  qtr_places none;
+  qtr_places_clear(&none);
+  qtr_joint_begin(joint, board, (start_of != NULL) ? start_of : board->start_of, (cleared != NULL) ? cleared : &none);
+}
+
 /* Of those whose turn it could be, the one of the lowest comes first. */
 static uint32_t turn_of(const qtr_joint *joint, const qtr_board *board, unsigned seeker) {
-  return ((uint32_t)joint->node[seeker] << 8) | (QTR_TERMS ? board->keys.kind[seeker] : 0u);
+  return ((uint32_t)joint->node[seeker] << 8) | kind_of_seeker(&board->keys, seeker);
 }
 
 int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board) {
@@ -151,7 +163,7 @@ int qtr_joint_chooser(const qtr_joint *joint, const qtr_board *board) {
     }
   }
   /* Whoever has nothing to choose has been stood down: the chooser has a place to go to. */
-  QTR_ASSERT((chooser == QTR_NOBODY) || find_choices(joint, board, (unsigned)chooser, NULL));
+  QTR_ASSERT((chooser == QTR_NOBODY) || qtr_joint_options(joint, board, (unsigned)chooser, NULL));
   return chooser;
 }
 
@@ -181,9 +193,8 @@ static bool others_can_visit(const qtr_joint *joint, const qtr_board *board, uns
   return true;
 }
 
-bool qtr_joint_options(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices) {
-  qtr_places_clear(choices);
-  if (!find_choices(joint, board, seeker, choices) || (board->rule == QTR_RULE_PAPER)) {
+bool qtr_joint_may_leave(const qtr_joint *joint, const qtr_board *board, unsigned seeker, const qtr_places *choices) {
+  if (board->rule == QTR_RULE_PAPER) {
     return false;
   }
   return (QTR_TERMS && board->terms.anyone_may_leave) || others_can_visit(joint, board, seeker, choices);
@@ -191,7 +202,8 @@ bool qtr_joint_options(const qtr_joint *joint, const qtr_board *board, unsigned 
 
 bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeker, qtr_places *choices) {
   qtr_places_clear(choices);
-  return qtr_joint_can_choose(joint, board, seeker) && qtr_joint_options(joint, board, (unsigned)seeker, choices);
+  return qtr_joint_can_choose(joint, board, seeker) && qtr_joint_options(joint, board, (unsigned)seeker, choices) &&
+         qtr_joint_may_leave(joint, board, (unsigned)seeker, choices);
 }
 
 /* A place on the seeker's own cell takes no time: it is visited at once, and the seeker chooses again at the same
@@ -234,12 +246,10 @@ static qtr_steps least_remaining(const qtr_joint *joint, const qtr_board *board)
   return least + 1u;
 }
 
-/* Where a seeker is bound for comes up: a place, which it visits, or the moment at which it is ready, at its start. Who
- * follows another one to a place may find it visited: then it just arrives. */
+/* Where a seeker is bound for comes up: a place, which it visits, or the moment at which it is ready, at its start. */
 static void arrive(qtr_joint *joint, const qtr_board *board, unsigned seeker) {
   const unsigned node = joint->node[seeker];
-  const bool is_start = QTR_TERMS && (node >= board->places);
-  if (!is_start && !place_is_in(&joint->visited, node)) {
+  if (!QTR_TERMS || (node < board->places)) {
     visit(joint, node);
   }
 }
@@ -260,6 +270,7 @@ qtr_steps qtr_joint_pass(qtr_joint *joint, const qtr_board *board) {
   if ((joint->unvisited == 0u) || (least == 0u)) {
     return 0;
   }
+  joint->now += least;
   for (unsigned i = 0; i < board->seekers; i++) {
     if (joint->remaining[i] == 0u) {
       continue;
@@ -270,7 +281,6 @@ qtr_steps qtr_joint_pass(qtr_joint *joint, const qtr_board *board) {
       arrive(joint, board, i);
     }
   }
-  joint->now += least;
   stand_down_the_useless(joint, board, false);
   return least;
 }

@@ -4,11 +4,18 @@
 
 #include "quarter/joint.h"
 
+/* qtr_joint_start() from starts and with places cleared that there are, none of them NULL. */
+void qtr_joint_begin(qtr_joint *joint, const qtr_board *board, const uint16_t *start_of, const qtr_places *cleared);
+
 /* Whether a seeker is one, and idle. For numbers from outside, too. */
 bool qtr_joint_can_choose(const qtr_joint *joint, const qtr_board *board, int seeker);
 
-/* qtr_joint_choices() for whoever's turn it is. */
+/* The places that the one whose turn it is may choose, added to `choices` (may be NULL: then only the answer counts), and
+ * whether there are any. */
 bool qtr_joint_options(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices);
+
+/* Whether it may stand down instead. */
+bool qtr_joint_may_leave(const qtr_joint *joint, const qtr_board *board, unsigned seeker, const qtr_places *choices);
 
 /* qtr_joint_choose() for one of the choices that qtr_joint_options() gives. */
 bool qtr_joint_go(qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned choice);

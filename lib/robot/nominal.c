@@ -32,20 +32,19 @@ static void make_key(qtr_key *key, const qtr_policy *policy, const qtr_joint *jo
   }
 }
 
-/* Records are sorted by key and each key is there once: halves of [low, high), in which alone the key can be. */
-bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice) {
-  const qtr_record_shape *shape = &policy->records_shape;
+/* The record of a state; NULL: there is none. Records are sorted by key and each key is there once: halves of [low,
+ * high), in which alone the key can be. */
+static const uint8_t *find_record(const qtr_policy *policy, const qtr_joint *joint) {
   qtr_key key;
   make_key(&key, policy, joint);
   uint32_t low = 0;
   uint32_t high = policy->records;
   while (low < high) {
     const uint32_t middle = low + ((high - low) / 2u);
-    const uint8_t *record = section_of(policy, SECTION_RECORDS) + (middle * shape->bytes);
-    const int order = compare_key(record, &key, shape->key_bytes);
+    const uint8_t *record = section_of(policy, SECTION_RECORDS) + (middle * policy->records_shape.bytes);
+    const int order = compare_key(record, &key, policy->records_shape.key_bytes);
     if (order == 0) {
-      *choice = record_choice(record, shape);
-      return true;
+      return record;
     }
     if (order < 0) {
       low = middle + 1u;
@@ -53,16 +52,19 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
       high = middle;
     }
   }
-  return false;
+  return NULL;
+}
+
+bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_t *choice) {
+  const uint8_t *record = find_record(policy, joint);
+  if (record == NULL) {
+    return false;
+  }
+  *choice = record_choice(record, &policy->records_shape);
+  return true;
 }
 
 /* ---- off the table ---- */
-
-/* Of a place: its weight, and the steps to it. */
-typedef struct {
-  uint32_t weight;
-  qtr_steps steps;
-} rate;
 
 static uint64_t product(uint32_t a, uint32_t b) {
   const uint32_t low = (a & 0xFFFFu) * (b & 0xFFFFu);
@@ -73,47 +75,49 @@ static uint64_t product(uint32_t a, uint32_t b) {
 }
 
 /* As in Smith's rule for the least weighted sum of times; of equal ones the lowest number, or robots would differ. */
-QTR_APART static uint16_t choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, unsigned seeker,
-                                         const qtr_places *choices) {
-  unsigned best = QTR_STAND_DOWN;
-  rate most = {0, 1};
+QTR_APART static void choose_by_rate(const qtr_policy *policy, const qtr_joint *joint, qtr_move *move,
+                                     const qtr_places *choices) {
+  const unsigned seeker = (unsigned)move->seeker;
+  uint32_t most_weight = 0;
+  qtr_steps most_steps = 1;
+  move->choice = QTR_STAND_DOWN;
   for (unsigned place = 0; place < policy->board.places; place++) {
     if (!place_is_in(choices, place)) {
       continue;
     }
-    const rate of = {qtr_policy_weight(policy, place),
-                     qtr_steps_between(&policy->board, seeker, joint->node[seeker], place)};
-    if (product(of.weight, most.steps) > product(most.weight, of.steps)) {
-      best = place;
-      most = of;
+    const uint32_t weight = qtr_policy_weight(policy, place);
+    const qtr_steps steps = qtr_steps_between(&policy->board, seeker, joint->node[seeker], place);
+    if (product(weight, most_steps) > product(most_weight, steps)) {
+      move->choice = (uint16_t)place;
+      most_weight = weight;
+      most_steps = steps;
     }
   }
-  return (uint16_t)best;
 }
 
 /* ---- the game ---- */
 
-/* A record that allows no such choice can only be a forged one; it counts as none. */
-static uint16_t choose(const qtr_policy *policy, const qtr_joint *joint, unsigned seeker, bool *off_table) {
-  qtr_places choices;
-  uint16_t choice = QTR_STAND_DOWN;
-  const bool may_stand_down = qtr_joint_options(joint, &policy->board, seeker, &choices);
-  *off_table = !qtr_policy_lookup(policy, joint, &choice) ||
-               ((choice == QTR_STAND_DOWN) ? !may_stand_down : !qtr_places_has(&choices, choice));
-  return *off_table ? choose_by_rate(policy, joint, seeker, &choices) : choice;
+/* Whether the table has a choice for whose turn it is, and one that is allowed: else it can only be a forged one, and
+ * counts as none. */
+static bool choose_by_table(const qtr_policy *policy, const qtr_joint *joint, qtr_move *move,
+                            const qtr_places *choices) {
+  const uint8_t *record = find_record(policy, joint);
+  if (record == NULL) {
+    return false;
+  }
+  move->choice = record_choice(record, &policy->records_shape);
+  return (move->choice == QTR_STAND_DOWN) ? qtr_joint_may_leave(joint, &policy->board, (unsigned)move->seeker, choices)
+                                          : qtr_places_has(choices, move->choice);
 }
 
-/* Whose turn it is not may choose nothing, and stands. */
-uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
-  bool is_off_table = false;
-  uint16_t choice = QTR_STAND_DOWN;
-  if (qtr_joint_can_choose(joint, &policy->board, seeker)) {
-    choice = choose(policy, joint, (unsigned)seeker, &is_off_table);
+static void choose(const qtr_policy *policy, const qtr_joint *joint, qtr_move *move) {
+  qtr_places choices;
+  qtr_places_clear(&choices);
+  (void)qtr_joint_options(joint, &policy->board, (unsigned)move->seeker, &choices);
+  move->off_table = !choose_by_table(policy, joint, move, &choices);
+  if (move->off_table) {
+    choose_by_rate(policy, joint, move, &choices);
   }
-  if (off_table != NULL) {
-    *off_table = is_off_table;
-  }
-  return choice;
 }
 
 /* Time passes only when nobody has to choose, and each time it passes somebody arrives: between two choices there are
@@ -126,9 +130,22 @@ bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move)
     }
     move->seeker = qtr_joint_chooser(joint, &policy->board);
   }
-  move->choice = choose(policy, joint, (unsigned)move->seeker, &move->off_table);
+  choose(policy, joint, move);
   (void)qtr_joint_go(joint, &policy->board, (unsigned)move->seeker, move->choice);
   return true;
+}
+
+/* As the next move, of a game that is left as it is. Whose turn it is not may choose nothing, and stands. */
+uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
+  qtr_joint next = *joint;
+  qtr_move move = {QTR_NOBODY, QTR_STAND_DOWN, false};
+  if ((seeker != QTR_NOBODY) && (qtr_joint_chooser(joint, &policy->board) == seeker)) {
+    (void)qtr_policy_move(policy, &next, &move);
+  }
+  if (off_table != NULL) {
+    *off_table = move.off_table;
+  }
+  return move.choice;
 }
 
 /* Ends, for each time round somebody chooses, and there are no more choices than QTR_MAX_MOVES and one to stand down

@@ -229,7 +229,7 @@ static unsigned list_kinds(const qtr_board *board, uint8_t *kind_of, uint8_t *fi
   unsigned kinds = 0;
   for (unsigned i = 0; i < board->seekers; i++) {
     unsigned kind = 0;
-    while (kind < kinds && board->keys.kind[first_of_kind[kind]] != board->keys.kind[i]) kind++;
+    while (kind < kinds && kind_of_seeker(&board->keys, first_of_kind[kind]) != kind_of_seeker(&board->keys, i)) kind++;
     if (kind == kinds) first_of_kind[kinds++] = (uint8_t)i;
     kind_of[i] = (uint8_t)kind;
   }
