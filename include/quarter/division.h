@@ -20,12 +20,19 @@ QTR_C_BEGIN
  * no more places than seekers are left, and each seeker goes to each of them at most once. */
 #define QTR_MAX_MOVES (QTR_MAX_PLACES + (QTR_MAX_SEEKERS * QTR_MAX_SEEKERS))
 
+/* A place's number, in no more bytes than it takes. */
+#if QTR_MAX_PLACES <= 256
+typedef uint8_t qtr_place_number;
+#else
+typedef uint16_t qtr_place_number;
+#endif
+
 typedef struct {
-  uint16_t moves;                /* so far */
-  uint16_t place[QTR_MAX_MOVES]; /* in the order in which they are chosen */
-  uint8_t seeker[QTR_MAX_MOVES]; /* by whom */
-  uint32_t off_table;            /* choices so far that the table had no record of */
-  qtr_joint joint;               /* the nominal game, as far as it is played */
+  uint16_t moves;                        /* so far */
+  qtr_place_number place[QTR_MAX_MOVES]; /* in the order in which they are chosen */
+  uint8_t seeker[QTR_MAX_MOVES];         /* by whom */
+  uint32_t off_table;                    /* choices so far that the table had no record of */
+  qtr_joint joint;                       /* the nominal game, as far as it is played */
 } qtr_division;
 
 /* Begin with no moves. */

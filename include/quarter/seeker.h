@@ -61,13 +61,13 @@ typedef struct {
   qtr_seeker_set unsaid; /* finished here and not yet announced */
   qtr_seeker_set lost;   /* seekers that are known to be lost */
   qtr_places visited;    /* where this robot has been itself, without a find */
-  qtr_places blocked;    /* where it found no way, since it last began to try */
+  qtr_places blocked;    /* where it found no way; on the last round also all but `retry` */
   qtr_places retry;      /* on the last round: what was blocked before */
   uint32_t identity;
   uint32_t run;
   uint32_t foreign; /* signals heard that are of another search */
-  qtr_deployment deployment;
   qtr_division division;
+  qtr_deployment deployment;
 } qtr_seeker;
 
 /* Robot `self` (0..seekers-1) at its start. `deployment` (copied) and `run` are the same on every robot; NULL: the

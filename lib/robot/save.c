@@ -48,13 +48,8 @@ static const uint8_t *load_bits(const uint8_t *bytes, uint32_t *word, unsigned m
 int32_t qtr_seeker_save(const qtr_seeker *seeker, uint8_t *bytes, uint32_t size) {
   const qtr_board *board = &seeker->policy->board;
   const uint32_t needed = size_of(board);
-  qtr_places blocked = seeker->blocked;
   if (size < needed) {
     return QTR_ERR_SPACE;
-  }
-  /* On the last round, what was blocked before counts as blocked: it is tried once more after a reset, too. */
-  for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) {
-    blocked.word[w] |= seeker->retry.word[w];
   }
   bytes[0] = MARK;
   bytes[1] = FORMAT;
@@ -71,7 +66,8 @@ int32_t qtr_seeker_save(const qtr_seeker *seeker, uint8_t *bytes, uint32_t size)
   }
   at = store_bits(at, seeker->deployment.cleared.word, board->places);
   at = store_bits(at, seeker->visited.word, board->places);
-  at = store_bits(at, blocked.word, board->places);
+  /* On the last round, what was blocked before it: that is tried once more after a reset, too. */
+  at = store_bits(at, (seeker->last_round ? &seeker->retry : &seeker->blocked)->word, board->places);
   at = store_bits(at, seeker->done.word, board->seekers);
   at = store_bits(at, seeker->lost.word, board->seekers);
   qtr_store32(at, qtr_crc32_add(0, bytes, needed - 4u));

@@ -2,9 +2,11 @@
 
 #include <stddef.h>
 
+#include "core/apart.h"
 #include "core/bytes.h"
 #include "quarter/status.h"
 #include "robot/bits.h"
+#include "robot/board.h"
 
 /* Where all seekers fit in one word, nothing is reckoned. */
 static unsigned word_of(unsigned seeker) {
@@ -59,9 +61,9 @@ int qtr_seeker_init_built(qtr_seeker *seeker, const qtr_policy *policy, unsigned
 /* Territories that this robot has scanned whole: they are done, and to be announced. One without places is so from the
  * start. When the division has just been worked out, those known to be done are announced too: after a reset nobody
  * knows whether they were. */
-static void find_finished(qtr_seeker *seeker, bool is_first) {
+static void find_finished(qtr_seeker *seeker) {
   const qtr_division *division = &seeker->division;
-  qtr_seeker_set closed = is_first ? (qtr_seeker_set){{0}} : seeker->done;
+  qtr_seeker_set closed = seeker->divided ? seeker->done : (qtr_seeker_set){{0}};
   for (unsigned i = 0; i < division->moves; i++) {
     if (!place_is_in(&seeker->visited, division->place[i])) {
       set_add(&closed, division->seeker[i]);
@@ -83,8 +85,8 @@ bool qtr_seeker_plan(qtr_seeker *seeker) {
   if (qtr_division_play(&seeker->division, seeker->policy)) {
     return true;
   }
+  find_finished(seeker);
   seeker->divided = true;
-  find_finished(seeker, true);
   return false;
 }
 
@@ -93,61 +95,51 @@ bool qtr_seeker_plan(qtr_seeker *seeker) {
 static bool is_in_reach(const qtr_seeker *seeker, unsigned place) {
   const qtr_board *board = &seeker->policy->board;
   const unsigned start = (unsigned)board->places + seeker->deployment.start_of[seeker->self];
-  return qtr_board_steps(board, seeker->self, start, place) != QTR_NEVER;
+  return qtr_steps_between(board, seeker->self, start, place) != QTR_NEVER;
 }
 
 /* A place may be blocked and visited, by one who got there all the same: then it is visited. */
 static bool is_to_try(const qtr_seeker *seeker, unsigned place) {
-  if (place_is_in(&seeker->visited, place) || place_is_in(&seeker->blocked, place)) {
-    return false;
-  }
-  return (!seeker->last_round || place_is_in(&seeker->retry, place)) && is_in_reach(seeker, place);
+  return !place_is_in(&seeker->visited, place) && !place_is_in(&seeker->blocked, place) && is_in_reach(seeker, place);
 }
 
-/* The next place of a territory: the first on its route that is to try, and in an odd pass the last. In pass p a robot
- * walks the territory of seeker self + p, so that two robots next to one another come to a third one's from both
- * ends. */
-static uint16_t next_on_route(const qtr_seeker *seeker, unsigned territory, bool backwards) {
-  const qtr_division *division = &seeker->division;
-  for (unsigned n = 0; n < division->moves; n++) {
-    const unsigned i = backwards ? (division->moves - 1u - n) : n;
-    if ((division->seeker[i] == territory) && is_to_try(seeker, division->place[i])) {
-      return division->place[i];
-    }
-  }
-  return QTR_STAND_DOWN;
-}
-
-/* Look for a target in the territories not known to be done: those of seekers known to be lost, or those of the others.
- * The own one is first among the others, and is asked for before both. */
-static bool find_target(qtr_seeker *seeker, bool of_the_lost) {
+/* When a robot comes to a territory, and backwards if that is odd: in pass p it walks that of seeker self + p, its own
+ * first, then all of seekers known to be lost before the others'. */
+static unsigned turn_of(const qtr_seeker *seeker, unsigned territory) {
   const unsigned seekers = seekers_of(seeker);
-  for (unsigned pass = 0; pass < seekers; pass++) {
-    const unsigned next = seeker->self + pass;
-    const unsigned territory = (next < seekers) ? next : (next - seekers);
-    if (set_has(&seeker->done, territory)) {
-      continue;
-    }
-    if ((pass > 0u) && (set_has(&seeker->lost, territory) != of_the_lost)) {
-      continue;
-    }
-    seeker->target = next_on_route(seeker, territory, (pass % 2u) == 1u);
-    seeker->territory = (uint8_t)territory;
-    if (seeker->target != QTR_STAND_DOWN) {
-      return true;
-    }
-  }
-  return false;
+  const unsigned pass = ((territory < seeker->self) ? seekers : 0u) + territory - seeker->self;
+  return ((pass == 0u) || set_has(&seeker->lost, territory)) ? pass : (pass + (2u * seekers));
 }
 
-/* All has been tried: what was blocked is tried once more. */
+/* The next place: the first to try of the first territory in turn that has one and is not known to be done; the last
+ * one on an odd turn. So two robots next to one another come to a third one's territory from both ends. */
+QTR_APART static void find_target(qtr_seeker *seeker) {
+  const qtr_division *division = &seeker->division;
+  unsigned first = 4u * QTR_MAX_SEEKERS; /* after all */
+  for (unsigned i = 0; i < division->moves; i++) {
+    const unsigned territory = division->seeker[i];
+    if (set_has(&seeker->done, territory) || !is_to_try(seeker, division->place[i])) {
+      continue;
+    }
+    const unsigned turn = turn_of(seeker, territory);
+    if (turn < (first + (turn % 2u))) {
+      first = turn;
+      seeker->target = division->place[i];
+      seeker->territory = (uint8_t)territory;
+    }
+  }
+}
+
+/* All has been tried: what was blocked is tried once more, and nothing else is. */
 static bool begin_last_round(qtr_seeker *seeker) {
   if (seeker->last_round) {
     return false;
   }
   seeker->last_round = true;
   seeker->retry = seeker->blocked;
-  qtr_places_clear(&seeker->blocked);
+  for (unsigned w = 0; w < QTR_PLACE_WORDS; w++) {
+    seeker->blocked.word[w] = ~seeker->retry.word[w];
+  }
   return true;
 }
 
@@ -165,11 +157,8 @@ static void settle(qtr_seeker *seeker) {
     return;
   }
   do {
-    if (find_target(seeker, true) || find_target(seeker, false)) {
-      return;
-    }
-  } while (begin_last_round(seeker));
-  seeker->territory = seeker->self;
+    find_target(seeker);
+  } while ((seeker->target == QTR_STAND_DOWN) && begin_last_round(seeker));
 }
 
 /* ---- what a robot is told ---- */
@@ -210,7 +199,7 @@ void qtr_seeker_visited(qtr_seeker *seeker, unsigned at) {
   place_put(&seeker->visited, place);
   seeker->settled = false;
   if (seeker->divided) {
-    find_finished(seeker, false);
+    find_finished(seeker);
   }
 }
 
@@ -226,9 +215,11 @@ void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
 
 /* Said once as the finder; repeated like all that is known by qtr_seeker_known(). */
 void qtr_seeker_found(qtr_seeker *seeker) {
-  seeker->found_unsaid = seeker->found_unsaid || !seeker->found;
-  seeker->found = true;
-  seeker->settled = false;
+  if (!seeker->found) {
+    seeker->found = true;
+    seeker->found_unsaid = true;
+    seeker->settled = false;
+  }
 }
 
 /* What is heard is known, and not announced as one's own: done means scanned by whoever announces it. The count of
@@ -275,8 +266,8 @@ bool qtr_seeker_field_built(qtr_seeker *seeker, qtr_field *field, qtr_cell here,
     return false;
   }
   while (qtr_seeker_target(seeker) != QTR_STAND_DOWN) {
-    const int status = qtr_field_fill(field, grid, qtr_policy_cell(seeker->policy, seeker->target));
-    if ((status == QTR_OK) && (qtr_field_next(field, grid, here) != QTR_NO_CELL)) {
+    (void)qtr_field_fill(field, grid, qtr_policy_cell(seeker->policy, seeker->target)); /* of a policy's own grid */
+    if (qtr_field_next(field, grid, here) != QTR_NO_CELL) {
       return true;
     }
     qtr_seeker_blocked(seeker, seeker->target);
