@@ -47,7 +47,7 @@ int qtr_field_begin_built(qtr_field *field, const qtr_grid *grid, qtr_cell targe
 /* Go on with it, over the grid that it was begun with, for at most so many steps, each of which looks at one neighbour
  * of a cell. False when there is no more to do. Dijkstra's algorithm over a ring of time buckets (Dial 1969), linear in
  * the cells. */
-bool qtr_field_work(qtr_field *field, const qtr_grid *grid, unsigned steps);
+bool qtr_field_work(qtr_field *field, const qtr_grid *grid, uint32_t steps);
 
 /* All of it at once. Returns what qtr_field_begin() does. */
 #define qtr_field_fill(field, grid, target) qtr_field_fill_built(field, grid, target, QTR_CONFIG_ID)

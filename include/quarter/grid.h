@@ -15,7 +15,7 @@ enum qtr_grid_encoding {
   QTR_GRID_BITS = 0,  /* a bit a cell, 1 = free at cost 1; cell c is bit c % 8 of byte c / 8 */
   QTR_GRID_BYTES = 1, /* a byte a cell: 0 = blocked, 1..255 = steps that entering the cell takes */
   QTR_GRID_SMOOTH = 2 /* the same bytes for who may not enter rough ground: what costs more than 1 is blocked. A view,
-                         never stored */
+                         never stored; of builds with QTR_TERMS */
 };
 
 typedef struct {
@@ -66,7 +66,7 @@ inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
   }
   if (grid->encoding != QTR_GRID_BITS) {
     const unsigned cost = grid->cells[cell];
-    return ((grid->encoding == QTR_GRID_SMOOTH) && (cost > 1u)) ? 0u : cost;
+    return (QTR_TERMS && (grid->encoding == QTR_GRID_SMOOTH) && (cost > 1u)) ? 0u : cost;
   }
   return ((unsigned)grid->cells[cell / 8u] >> (cell % 8u)) & 1u;
 }

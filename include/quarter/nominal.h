@@ -17,7 +17,7 @@ bool qtr_policy_lookup(const qtr_policy *policy, const qtr_joint *joint, uint16_
 
 /* What `seeker`, whose turn it is, chooses: by the table, and off the table the place with the most weight for a step
  * of travel (the lowest of equal ones). `*off_table` (may be NULL) says which. QTR_STAND_DOWN for a seeker that is
- * none. */
+ * none, or whose turn it is not. */
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table);
 
 typedef struct {

@@ -47,9 +47,9 @@ typedef struct {
   bool any_start;   /* each region is a start, and the cells' regions are known */
   qtr_record_shape records_shape;
   qtr_board board;                  /* its starts are the mission's own */
-  qtr_grid grid;                    /* what of the map can be reached */
   uint32_t records;                 /* state/choice records */
   uint32_t at[QTR_POLICY_SECTIONS]; /* where each section begins */
+  qtr_grid grid;                    /* what of the map can be reached */
 } qtr_policy;
 
 /* Open the table of `size` bytes at `bytes` (no alignment needed); bytes behind the robot's part are not looked at.

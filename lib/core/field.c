@@ -20,9 +20,9 @@ static bool begins_row(const qtr_field *field, uint32_t cell) {
   return ((field->cell[cell] >> SHIFT) & FIRST_OF_ROW) != 0;
 }
 
-/* One cell on in a direction, wherever that leads. */
+/* One cell on in a direction, wherever that leads. North and south are the even ones. */
 static uint32_t next_to(uint32_t cell, unsigned direction, uint32_t columns) {
-  const uint32_t by = ((direction == QTR_NORTH) || (direction == QTR_SOUTH)) ? columns : 1u;
+  const uint32_t by = ((direction % 2u) == 0u) ? columns : 1u;
   return ((direction == QTR_EAST) || (direction == QTR_SOUTH)) ? (cell + by) : (cell - by);
 }
 
@@ -91,7 +91,7 @@ static void settle_next(qtr_field *field) {
   field->at = field->first;
 }
 
-bool qtr_field_work(qtr_field *field, const qtr_grid *grid, unsigned steps) {
+bool qtr_field_work(qtr_field *field, const qtr_grid *grid, uint32_t steps) {
   /* Times rise by at most 255 from cell to cell: a whole turn of empty buckets means that all is settled. */
   for (; (steps > 0u) && (field->empty < QTR_TRAVEL_RING); steps--) {
     if (field->at == 0u) {
@@ -107,7 +107,9 @@ bool qtr_field_work(qtr_field *field, const qtr_grid *grid, unsigned steps) {
 
 int qtr_field_fill_built(qtr_field *field, const qtr_grid *grid, qtr_cell target, uint32_t config_id) {
   const int status = qtr_field_begin_built(field, grid, target, config_id);
-  while ((status == QTR_OK) && qtr_field_work(field, grid, UINT16_MAX)) {}
+  if (status == QTR_OK) {
+    (void)qtr_field_work(field, grid, UINT32_MAX); /* more than there are */
+  }
   return status;
 }
 

@@ -97,7 +97,7 @@ static void find_kind(qtr_board *board, unsigned i) {
 }
 #endif
 
-static bool is_sound(const qtr_board *board, unsigned i) {
+static bool seat_is_sound(const qtr_board *board, unsigned i) {
   return (board->start_of[i] < board->starts) && (!QTR_TERMS || (board->terms.class_of[i] < qtr_board_classes(board)));
 }
 
@@ -108,7 +108,7 @@ int qtr_board_derive(qtr_board *board) {
   const uint32_t times = qtr_board_classes(board) * nodes * board->places;
   qtr_steps longest = 0;
   for (unsigned i = 0; i < board->seekers; i++) {
-    if (!is_sound(board, i)) {
+    if (!seat_is_sound(board, i)) {
       return QTR_ERR_ARGUMENT;
     }
 #if QTR_TERMS

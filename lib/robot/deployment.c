@@ -53,7 +53,7 @@ static bool are_home(const qtr_policy *policy, const qtr_cell *starts) {
 }
 
 void qtr_deployment_home(qtr_deployment *deployment, const qtr_policy *policy) {
-  bytes_clear(deployment, (uint32_t)sizeof *deployment);
+  qtr_places_clear(&deployment->cleared);
   bytes_copy(deployment->start_of, policy->board.start_of, (uint32_t)sizeof deployment->start_of);
   if ((policy->features & QTR_FEATURE_CLEARED) == 0) {
     return;

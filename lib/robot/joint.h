@@ -10,8 +10,8 @@ void qtr_joint_begin(qtr_joint *joint, const qtr_board *board, const uint16_t *s
 /* Whether a seeker is one, and idle. For numbers from outside, too. */
 bool qtr_joint_can_choose(const qtr_joint *joint, const qtr_board *board, int seeker);
 
-/* The places that the one whose turn it is may choose, added to `choices` (may be NULL: then only the answer counts), and
- * whether there are any. */
+/* The places that the one whose turn it is may choose, added to `choices` (may be NULL: then only the answer counts),
+ * and whether there are any. */
 bool qtr_joint_options(const qtr_joint *joint, const qtr_board *board, unsigned seeker, qtr_places *choices);
 
 /* Whether it may stand down instead. */

@@ -69,7 +69,7 @@ enum qtr_table_feature {
   QTR_FEATURE_CLEARED = 1,           /* the mission itself has places cleared beforehand */
   QTR_FEATURE_NUMBERS = 2,           /* the input numbers its places otherwise, for some were left out */
   QTR_FEATURE_TERMS = 4,             /* the mission makes use of the field's terms */
-  QTR_FEATURES = (QTR_TERMS ? 7 : 3) /* all that this build knows */
+  QTR_FEATURES = (QTR_TERMS ? 7 : 3) /* all that this build knows: the lowest bits, without a gap */
 };
 
 enum qtr_table_term {

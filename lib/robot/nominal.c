@@ -137,8 +137,11 @@ bool qtr_policy_move(const qtr_policy *policy, qtr_joint *joint, qtr_move *move)
 
 /* As the next move, of a game that is left as it is. Whose turn it is not may choose nothing, and stands. */
 uint16_t qtr_policy_choose(const qtr_policy *policy, const qtr_joint *joint, int seeker, bool *off_table) {
-  qtr_joint next = *joint;
-  qtr_move move = {QTR_NOBODY, QTR_STAND_DOWN, false};
+  qtr_joint next;
+  qtr_move move;
+  next = *joint;
+  move.choice = QTR_STAND_DOWN;
+  move.off_table = false;
   if ((seeker != QTR_NOBODY) && (qtr_joint_chooser(joint, &policy->board) == seeker)) {
     (void)qtr_policy_move(policy, &next, &move);
   }

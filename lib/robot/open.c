@@ -54,8 +54,8 @@ static int check_sum(const qtr_policy *policy) {
 static int read_features(qtr_policy *policy) {
   const uint32_t features = qtr_load32(policy->bytes + QTR_POLICY_FEATURES);
   policy->any_start = policy->bytes[QTR_POLICY_ANY_START] != 0u;
-  policy->features = (uint8_t)(features & QTR_FEATURES);
-  if (features == policy->features) {
+  policy->features = (uint8_t)(features & 0xFFu);
+  if (features <= (uint32_t)QTR_FEATURES) {
     return QTR_OK;
   }
   return is_format_1(policy->format) ? QTR_ERR_CORRUPT : QTR_ERR_FORMAT;
@@ -117,12 +117,12 @@ static int read_dimensions(qtr_policy *policy) {
   policy->grid.encoding = bytes[QTR_POLICY_GRID];
   policy->records = qtr_load32(bytes + QTR_POLICY_RECORDS);
   read_terms(policy);
+  const uint32_t cells = qtr_grid_cells(&policy->grid);
   board->places = (uint16_t)qtr_load16(bytes + QTR_POLICY_PLACES);
   board->seekers = bytes[QTR_POLICY_SEEKERS];
   board->starts = (uint16_t)qtr_load16(bytes + QTR_POLICY_STARTS);
   board->rule = bytes[QTR_POLICY_RULE];
   board->step_bytes = is_format_1(policy->format) ? 4 : bytes[QTR_POLICY_STEP_BYTES];
-  const uint32_t cells = qtr_grid_cells(&policy->grid);
   const int status = (cells == 0u) ? QTR_ERR_ARGUMENT : qtr_board_check(board);
   if (status == QTR_ERR_ARGUMENT) {
     return QTR_ERR_CORRUPT;

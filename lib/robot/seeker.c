@@ -105,7 +105,7 @@ static bool is_to_try(const qtr_seeker *seeker, unsigned place) {
 
 /* When a robot comes to a territory, and backwards if that is odd: in pass p it walks that of seeker self + p, its own
  * first, then all of seekers known to be lost before the others'. */
-static unsigned turn_of(const qtr_seeker *seeker, unsigned territory) {
+static unsigned round_of(const qtr_seeker *seeker, unsigned territory) {
   const unsigned seekers = seekers_of(seeker);
   const unsigned pass = ((territory < seeker->self) ? seekers : 0u) + territory - seeker->self;
   return ((pass == 0u) || set_has(&seeker->lost, territory)) ? pass : (pass + (2u * seekers));
@@ -121,7 +121,7 @@ QTR_APART static void find_target(qtr_seeker *seeker) {
     if (set_has(&seeker->done, territory) || !is_to_try(seeker, division->place[i])) {
       continue;
     }
-    const unsigned turn = turn_of(seeker, territory);
+    const unsigned turn = round_of(seeker, territory);
     if (turn < (first + (turn % 2u))) {
       first = turn;
       seeker->target = division->place[i];
