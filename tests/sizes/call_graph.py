@@ -8,8 +8,9 @@ import subprocess
 FUNCTION = re.compile(r"^[0-9a-f]+ <([^>+]+)>:$")
 CALLED = re.compile(r"<([^>+]+)>$")
 PUSHED = re.compile(r"\t(?:push|push\.w|stmdb\tsp!,|stmfd\tsp!,)\s*\{([^}]*)\}")
-LOWERED = re.compile(r"\t(?:sub(?:\.w|w)?\tsp, (?:sp, )?#(\d+)|str(?:\.w)?\t\w+, \[sp, #-(\d+)\]!|(?:c\.)?addi(?:16sp)?\tsp,(?:sp,)?-(\d+))")
+LOWERED = re.compile(r"\t(?:sub(?:\.w|w)?\tsp, (?:sp, )?#(\d+)|str(?:\.w)?\t\w+, \[sp, #-(\d+)\]!|(?:c\.)?addi?(?:16sp)?\tsp,(?:sp,)?-(\d+))")
 INDIRECT = re.compile(r"\t(?:blx\tr\d+|jalr\t(?!zero|ra,0x|-?\d+\(ra\))|c\.jalr)")
+COPY = re.compile(r"\.\d+$")  # of a function that was made for some of its callers: the compiler's word is of the name without
 
 
 class Recursion(Exception):
@@ -69,7 +70,7 @@ def deepest(functions, usage, root, above=()):
         raise Recursion(" ".join([*above, root]))
     below = [deepest(functions, usage, name, (*above, root)) for name in sorted(called - {root}) if name in functions]
     size, names = max(below, default=(0, []), key=lambda way: way[0])
-    return usage.get(root, own) + size, [root, *names]
+    return usage.get(COPY.sub("", root), own) + size, [root, *names]
 
 
 def worst_stack(objdump, image, usage_folder, root):
