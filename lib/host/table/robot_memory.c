@@ -100,9 +100,9 @@ static layout policy_of(const robot_sizes *sizes, const robot_processor *process
   put(&l, 4, 1); /* format, features, terms, any_start */
   put_struct(&l, record_shape_of(processor));
   put_struct(&l, board_of(sizes, processor));
-  put_struct(&l, grid_of(processor));
   put(&l, 1, 4); /* records */
   put(&l, QTR_POLICY_SECTIONS, 4);
+  put_struct(&l, grid_of(processor));
   return l;
 }
 
@@ -115,10 +115,10 @@ static layout deployment_of(const robot_sizes *sizes, const robot_processor *pro
 
 static layout joint_of(const robot_sizes *sizes, const robot_processor *processor) {
   layout l = begin(processor);
-  put(&l, 2 * words(sizes->of[ROBOT_PLACES]), 4);
-  put(&l, 1, 2); /* unvisited */
   put(&l, sizes->of[ROBOT_SEEKERS], 2);
   put(&l, sizes->of[ROBOT_SEEKERS], 4);
+  put(&l, 2 * words(sizes->of[ROBOT_PLACES]), 4);
+  put(&l, 1, 2); /* unvisited */
   put(&l, 1, 4); /* now */
   return l;
 }
@@ -127,7 +127,7 @@ static layout division_of(const robot_sizes *sizes, const robot_processor *proce
   const uint64_t seekers = sizes->of[ROBOT_SEEKERS], moves = sizes->of[ROBOT_PLACES] + seekers * seekers;
   layout l = begin(processor);
   put(&l, 1, 2); /* moves */
-  put(&l, moves, 2);
+  put(&l, moves, sizes->of[ROBOT_PLACES] <= 256 ? 1 : 2);
   put(&l, moves, 1);
   put(&l, 1, 4); /* off_table */
   put_struct(&l, joint_of(sizes, processor));
@@ -143,8 +143,8 @@ static layout seeker_of(const robot_sizes *sizes, const robot_processor *process
   put(&l, 3 * words(sizes->of[ROBOT_SEEKERS]), 4); /* done, unsaid, lost */
   put(&l, 3 * words(sizes->of[ROBOT_PLACES]), 4);  /* visited, blocked, retry */
   put(&l, 3, 4);                                   /* identity, run, foreign */
-  put_struct(&l, deployment_of(sizes, processor));
   put_struct(&l, division_of(sizes, processor));
+  put_struct(&l, deployment_of(sizes, processor));
   return l;
 }
 
