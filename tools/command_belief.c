@@ -333,7 +333,6 @@ int command_belief(int argc, char **argv) {
   if (options_parse(&o, &set, argc, argv, &why) != 0) return fault_exit(&why);
   if (o.help) return option_help(stdout, &set);
   stop_at_once();
-  memset(&estimated, 0, sizeof estimated);
   estimated.o = &o;
   if (o.belief != NULL && strcmp(o.belief, "-") == 0) {
     fault_set(&why, "--belief -: a saved belief is read and written; name a file");

@@ -265,7 +265,7 @@ static int add_regions(sheet *s, const options *o, fault *why) {
 }
 
 static int add_spots(sheet *s, const options *o, fault *why) {
-  const qtr_game *game = &desk->drawn.game;
+  const qtr_game *game = desk->drawn.game;
   const qtr_spot_ground ground = {game->board.places, game->steps, game->probability, &game->objective};
   if (game->board.places == 0)
     return fault_set(why, "%s: --spots goes with a mission or a drawing, not with a policy table", o->input);

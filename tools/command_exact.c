@@ -58,7 +58,7 @@ static int solve(const options *o, report *r, fault *why) {
   if (problem_measure(solved, &o->plan, why) != 0) return -1;
   const double begin = clock_seconds();
   *r = (report){.command = "exact", .ended = "certified", .o = o, .p = solved};
-  if (exact_solve(&solution, &solved->in.mission, &solved->travel, why) != 0) return -1;
+  if (exact_solve(&solution, &solved->in.mission, solved->travel, why) != 0) return -1;
   fill_report(r, &solution, &solved->in.mission);
   r->seconds = clock_seconds() - begin;
   routes_measure(&r->units, r->route, solved);

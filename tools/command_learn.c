@@ -166,7 +166,7 @@ static void note_cramped(void) {
 /* What can be known of the table before there is one: robots are told of all of the map where they may start
  * anywhere. */
 static int foresee_fit(fit *f, const options *o, fault *why) {
-  const qtr_game *game = &learnt->p.game;
+  const qtr_game *game = learnt->p.game;
   const qtr_mission *mission = game->mission;
   const bool anywhere = o->plan.any_starts || o->plan.any_cleared;
   const qtr_box box = anywhere ? (qtr_box){0, 0, mission->columns, mission->rows} : game->used;
@@ -197,7 +197,7 @@ static int learn(const options *o, report *r, fault *why) {
   r->seconds = stop_seconds() - begin + learnt->p.travel_seconds;
   count(r, o);
   if (write_table(r, o, why) != 0) return -1;
-  routes_to_mission(r->route, &learnt->p.game);
+  routes_to_mission(r->route, learnt->p.game);
   routes_measure(&r->units, r->route, &learnt->p);
   return report_write(r, why);
 }

@@ -68,13 +68,10 @@ static int compare_steps(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Diameters worth trying: quantiles of the distances between places, the lower ones closer together. */
-static int pick_diameters(qtr_steps *diameters) {
-  static qtr_steps all[QTR_MAX_PLACES * QTR_MAX_PLACES];
-  static const double quantiles[DIAMETERS] = {0.03, 0.07, 0.12, 0.2, 0.35, 0.6};
-  const qtr_board *board = &tuned->p.game.board;
+/* The ways between places, sorted; returns how many there are. */
+static int sort_ways(qtr_steps *all) {
+  const qtr_board *board = &tuned->p.game->board;
   int pairs = 0;
-  int picked = 0;
   for (unsigned from = 0; from < board->places; from++) {
     for (unsigned to = 0; to < from; to++) {
       const qtr_steps there = qtr_board_class_steps(board, 0, from, to);
@@ -83,10 +80,21 @@ static int pick_diameters(qtr_steps *diameters) {
     }
   }
   qsort(all, (size_t)pairs, sizeof *all, compare_steps);
+  return pairs;
+}
+
+/* Diameters worth trying: quantiles of the distances between places, the lower ones closer together. */
+static int pick_diameters(qtr_steps *diameters) {
+  static const double quantiles[DIAMETERS] = {0.03, 0.07, 0.12, 0.2, 0.35, 0.6};
+  const size_t places = tuned->p.game->board.places;
+  qtr_steps *all = malloc(places * places * sizeof *all);
+  const int pairs = all != NULL ? sort_ways(all) : 0;
+  int picked = 0;
   for (int i = 0; i < DIAMETERS && pairs > 0; i++) {
     const qtr_steps diameter = all[(int)(quantiles[i] * (pairs - 1))];
     if (picked == 0 || diameter > diameters[picked - 1]) diameters[picked++] = diameter;
   }
+  free(all);
   return picked;
 }
 
@@ -318,7 +326,7 @@ static void write_text(FILE *out, const void *what) {
   for (int i = 0; i < count && i < 10; i++) {
     const try *t = &tries[i];
     fprintf(out, "%8.3f%%  %11.6g  %10" PRIu64 "  %7" PRIu32 "  ", 100.0 * t->certificate.gap,
-            unit() * t->certificate.objective, t->entries, has_spots(t) ? t->spots : tuned->p.game.board.places);
+            unit() * t->certificate.objective, t->entries, has_spots(t) ? t->spots : tuned->p.game->board.places);
     write_options(out, t);
     fputc('\n', out);
   }

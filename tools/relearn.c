@@ -151,9 +151,10 @@ int relearn(relearnt *r, const table *t, const qtr_deployment *deployment, const
   stop_after(RELEARN_SECONDS);
   anew->p.in.mission.watch = stop_watch();
   int status = anew->p.in.mission.places > 0 ? qtr_mission_check(&anew->p.in.mission, NULL) : QTR_ERR_NO_PLACE;
-  if (status == QTR_OK) status = qtr_rest_game(&anew->p.game, &anew->p.in.mission, &anew->p.travel);
+  if (status == QTR_OK && problem_need_game(&anew->p, why) != 0) status = QTR_ERR_SPACE;
+  if (status == QTR_OK) status = qtr_rest_game(anew->p.game, &anew->p.in.mission, anew->p.travel);
   if (status != QTR_OK) fault_set(why, "the rest: %s", qtr_strerror(status));
-  if (status == QTR_OK) status = play_by_rule(r, &anew->p.game, &s, config, why);
+  if (status == QTR_OK) status = play_by_rule(r, anew->p.game, &s, config, why);
   if (status == QTR_OK) status = learn_rest(r, anew, why);
   study_drop(anew);
   return status == QTR_OK ? 0 : -1;

@@ -37,8 +37,8 @@ static qtr_grid ground_of(const qtr_mission *mission, int seeker) {
 static double cells_between(problem *p, int seeker, qtr_cell from, qtr_cell to) {
   const qtr_grid grid = ground_of(&p->in.mission, seeker);
   double cells = 0.0;
-  if (from == to || qtr_travel_fill(&p->travel, &grid, to) != QTR_OK) return 0.0;
-  for (qtr_cell at = from; at != to && at != QTR_NO_CELL; at = qtr_travel_next(&p->travel, &grid, at)) cells++;
+  if (from == to || qtr_travel_fill(p->travel, &grid, to) != QTR_OK) return 0.0;
+  for (qtr_cell at = from; at != to && at != QTR_NO_CELL; at = qtr_travel_next(p->travel, &grid, at)) cells++;
   return cells;
 }
 

@@ -116,7 +116,7 @@ static const char *difference(const table *t, const qtr_game *game) {
 
 static int read_table(table *t, const char *path, fault *why) {
   if (table_read(t, path, why) != 0) return -1;
-  const char *other = difference(t, &learnt->p.game);
+  const char *other = difference(t, learnt->p.game);
   if (other == NULL) return 0;
   table_free(t);
   return fault_set(why, "%s: this table is not of %s: %s; learn it again with 'quarter learn %s -o %s'", path,

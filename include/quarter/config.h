@@ -42,7 +42,7 @@
 #elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_CELLS 1024
 #else
-#define QTR_MAX_CELLS 1048576
+#define QTR_MAX_CELLS 4194304
 #endif
 #endif
 
@@ -53,7 +53,7 @@
 #elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_PLACES 16
 #else
-#define QTR_MAX_PLACES 128
+#define QTR_MAX_PLACES 1024
 #endif
 #endif
 
@@ -64,7 +64,7 @@
 #elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_SEEKERS 4
 #else
-#define QTR_MAX_SEEKERS 16
+#define QTR_MAX_SEEKERS 32
 #endif
 #endif
 
@@ -109,7 +109,7 @@
 #elif defined(QTR_PROFILE_MCU)
 #define QTR_MAX_REGIONS 1024
 #else
-#define QTR_MAX_REGIONS 131072
+#define QTR_MAX_REGIONS 524288
 #endif
 #endif
 
@@ -120,6 +120,18 @@
 #endif
 #ifndef QTR_MAX_REGION_DIAMETER
 #define QTR_MAX_REGION_DIAMETER 65535
+#endif
+
+/* Learner: what blocks in static storage are made for (quarter/learner.h), where the build holds more: the host takes
+ * blocks by need, and those of its largest mission would be gigabytes. A mission beyond them is QTR_ERR_SPACE there. */
+#ifndef QTR_STATIC_PLACES
+#define QTR_STATIC_PLACES (QTR_MAX_PLACES < 128 ? QTR_MAX_PLACES : 128)
+#endif
+#ifndef QTR_STATIC_CELLS
+#define QTR_STATIC_CELLS (QTR_MAX_CELLS < 1048576 ? QTR_MAX_CELLS : 1048576)
+#endif
+#ifndef QTR_STATIC_REGIONS
+#define QTR_STATIC_REGIONS (QTR_MAX_REGIONS < 131072 ? QTR_MAX_REGIONS : 131072)
 #endif
 
 /* Learner: 32-bit words given to the Q-table's entries at most. An entry takes 2 words for a small mission and up to 7

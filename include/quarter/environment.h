@@ -46,13 +46,16 @@ typedef struct qtr_environment qtr_environment;
  * it. `how` NULL: no aggregation. */
 size_t qtr_environment_bytes(const qtr_game *game, const qtr_aggregation *how);
 
-/* At most, for blocks in static storage: without aggregation, with spots, and with regions besides. */
+/* At most, for blocks in static storage (QTR_STATIC_PLACES): without aggregation, with spots, and with regions
+ * besides. */
+#define QTR_STATIC_NODES (QTR_STATIC_PLACES + QTR_MAX_SEEKERS)
 #define QTR_ENVIRONMENT_GROUND_BYTES                                                                                   \
   (sizeof(qtr_board) + 2 * sizeof(qtr_spots) + sizeof(qtr_spot_scratch) +                                              \
    (size_t)QTR_MAX_PLACES * (8 * QTR_MAX_SPOT_SIZE + 2 * QTR_MAX_NODES + 16) + 256)
-#define QTR_ENVIRONMENT_BYTES (QTR_ENVIRONMENT_GROUND_BYTES + (size_t)QTR_MAX_PLACES * 4 * QTR_MAX_NODES)
+#define QTR_ENVIRONMENT_BYTES (QTR_ENVIRONMENT_GROUND_BYTES + (size_t)QTR_STATIC_PLACES * 4 * QTR_STATIC_NODES)
 #define QTR_ENVIRONMENT_REGIONS_BYTES                                                                                  \
-  (QTR_ENVIRONMENT_BYTES + (size_t)QTR_MAX_PLACES * (sizeof(qtr_steps) * QTR_MAX_REGIONS + (QTR_MAX_CELLS + 3) / 4))
+  (QTR_ENVIRONMENT_BYTES +                                                                                             \
+   (size_t)QTR_STATIC_PLACES * (sizeof(qtr_steps) * QTR_STATIC_REGIONS + (QTR_STATIC_CELLS + 3) / 4))
 
 /* Set an environment up over a game, in a block of so many bytes, aligned as for a uint64_t. `how` NULL: no
  * aggregation, and the rule is the mission's. `travel` is scratch. Game, regions and block must outlive it. QTR_OK, and

@@ -4,6 +4,7 @@
 #define QUARTER_GAME_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "quarter/config.h"
@@ -16,13 +17,13 @@ QTR_C_BEGIN
 
 #define QTR_MAX_NODES (QTR_MAX_PLACES + QTR_MAX_SEEKERS)
 #define QTR_IF_TERMS(count) (QTR_TERMS ? (count) : 1) /* of an array that only the field's terms need */
-/* Large: keep it in static storage. */
+/* Large: keep it in static storage, or in a block of qtr_game_bytes(), which ends early: of the travel times, the last
+ * of its members, there are no more then than the mission has. */
 typedef struct {
   const qtr_mission *mission;
   qtr_board board;
   qtr_objective objective;
   double probability[QTR_MAX_PLACES]; /* of each of the board's places, of all that can be found: sum 1 */
-  uint8_t steps[4 * QTR_MAX_NODES * QTR_MAX_PLACES * QTR_MAX_CLASSES];
   uint8_t look_of[QTR_IF_TERMS(2 * QTR_MAX_PLACES)]; /* u16: the mission's place that each is a look at */
   uint8_t ready[QTR_IF_TERMS(4 * QTR_MAX_SEEKERS)];  /* as the board's terms have them */
   uint8_t end[QTR_IF_TERMS(4 * QTR_MAX_SEEKERS)];
@@ -31,7 +32,11 @@ typedef struct {
   qtr_box used;      /* part of the map where there is a way to a place, or a start */
   uint16_t measured; /* places to which the travel times are known: all, but after a stop */
   bool by_legs;      /* there is no map, and a way by way of other places may be sooner than the direct one */
+  uint8_t steps[4 * QTR_MAX_NODES * QTR_MAX_PLACES * QTR_MAX_CLASSES];
 } qtr_game;
+
+/* Bytes that the game of a mission takes, which need not have been checked: no more than sizeof(qtr_game). */
+size_t qtr_game_bytes(const qtr_mission *mission);
 
 /* A moment of the game. */
 typedef struct {

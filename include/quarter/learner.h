@@ -11,8 +11,8 @@
  * Q(s,a) + alpha backup (Eq. 4.7). After each episode the greedy policy is played; the best one played is the result,
  * and the prices alone bound it.
  *
- * All memory is the caller's, in blocks. With those of any mission of the build, in static storage, as firmware has
- * them:
+ * All memory is the caller's, in blocks. With those of any mission of a robot's build, in static storage, as firmware
+ * has them:
  *
  *   static qtr_learner_memory memory;
  *   qtr_environment *ground;
@@ -111,17 +111,18 @@ size_t qtr_learner_bytes(const qtr_game *game);
 /* What ruin and recreate takes of it. */
 #define QTR_RECREATION_BYTES (QTR_RECREATES ? 3 * sizeof(qtr_routes) + (size_t)QTR_MAX_PLACES * 56 + 256 : 0)
 
-/* At most, where seekers are of no more than QTR_MAX_CLASSES kinds (quarter/terms.h): what the bound's prices, the game
- * under way and the search on it take, then the bound's gains. */
+/* At most, for missions of QTR_STATIC_PLACES whose seekers are of no more than QTR_MAX_CLASSES kinds (quarter/terms.h):
+ * what the bound's prices, the game under way and the search on it take, then the bound's gains. */
 #define QTR_LEARNER_BYTES                                                                                              \
   (2 * sizeof(qtr_play) + 2 * sizeof(qtr_routes) + QTR_RECREATION_BYTES +                                              \
    QTR_MAX_CHOICES * (sizeof(qtr_key) + QTR_RECORD_BYTES + 64) +                                                       \
-   (size_t)QTR_MAX_PLACES * (sizeof(qtr_key) + 88 + QTR_MAX_PLACES + 6 * QTR_MAX_CUTS +                                \
-                             QTR_MAX_CLASSES * (4 * QTR_MAX_NODES + 12 * QTR_MAX_PLACES + 24 * QTR_BOUND_SLOTS)) +     \
+   (size_t)QTR_MAX_PLACES * (sizeof(qtr_key) + 88 + 6 * QTR_MAX_CUTS) +                                                \
+   (size_t)QTR_STATIC_PLACES * (QTR_STATIC_PLACES + QTR_MAX_CLASSES * (4 * QTR_STATIC_NODES + 12 * QTR_STATIC_PLACES + \
+                                                                       24 * QTR_BOUND_SLOTS)) +                        \
    16 * QTR_MAX_CUTS + 1024)
 
-/* All blocks for any mission of the build; large, keep it in static storage. Who never learns on an aggregate, or on
- * none with regions, declares smaller ones by the same sizes. */
+/* All blocks for any mission of the build, or of QTR_STATIC_PLACES; large, keep it in static storage. Who never learns
+ * on an aggregate, or on none with regions, declares smaller ones by the same sizes. */
 typedef struct {
   uint64_t ground[(QTR_ENVIRONMENT_GROUND_BYTES + 7) / 8];
   uint64_t aggregate[(QTR_ENVIRONMENT_REGIONS_BYTES + 7) / 8];

@@ -46,7 +46,8 @@ typedef struct {
   uint8_t cost[QTR_MAX_CELLS]; /* 0 = blocked, 1..255 = steps that entering the cell takes; row 0 on top */
 } qtr_mission;
 
-/* An empty mission with the defaults: discounted, free rule, gamma 0.99. QTR_OK, or QTR_ERR_CONFIG with nothing written
+/* An empty mission with the defaults: discounted, free rule, gamma 0.99. Its cells, megabytes of them, are left as they
+ * are: fill all of columns x rows in. QTR_OK, or QTR_ERR_CONFIG with nothing written
  * if the caller was built under other sizes. */
 #define qtr_mission_default(mission) qtr_mission_default_built(mission, QTR_CONFIG_ID)
 int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id);

@@ -7,18 +7,24 @@
 #ifndef QUARTER_TRAVEL_H
 #define QUARTER_TRAVEL_H
 
+#include <stddef.h>
+#include <stdint.h>
+
 #include "quarter/config.h"
 #include "quarter/grid.h"
 #include "quarter/status.h"
 
 QTR_C_BEGIN
 
-/* Travel times from every cell to one target. Large: keep it in static storage. */
+/* Travel times from every cell to one target. Large: keep it in static storage, or, for grids of so many cells and no
+ * more, in a block of qtr_travel_bytes(), which ends early. */
 typedef struct {
-  qtr_steps to_go[QTR_MAX_CELLS]; /* QTR_NEVER where the target cannot be reached */
-  qtr_cell link[QTR_MAX_CELLS];   /* scratch: cells waiting in the same ring entry */
   qtr_cell ring[QTR_TRAVEL_RING]; /* scratch: cells by the time at which they are settled */
+  qtr_steps to_go[QTR_MAX_CELLS]; /* QTR_NEVER where the target cannot be reached */
+  qtr_cell link[QTR_MAX_CELLS];   /* scratch: cells waiting in the same ring entry, behind the times in use */
 } qtr_travel;
+
+size_t qtr_travel_bytes(uint32_t cells);
 
 /* Fill `travel` with the travel times to `target`. Dijkstra's algorithm over a ring of time buckets (Dial 1969): time
  * and memory linear in the cells. QTR_OK; QTR_ERR_ARGUMENT for a target that is blocked or outside, which is then in

@@ -169,10 +169,16 @@ static enum qtr_learning step_prices(qtr_learner *learner) {
   return !learner_learns_alone(learner) && qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
 }
 
+/* Each place, or what is made of some, is chosen once, and see QTR_MAX_CHOICES. */
+static uint32_t most_choices(const qtr_learner *learner) {
+  const uint32_t seekers = learner->game->board.seekers;
+  return learner->game->board.places + seekers * (seekers + 1);
+}
+
 /* Ahead of an episode, so that none has to wait for its table to double: 256 MB take seconds. What a stop leaves undone
  * the next step goes on with. */
 static bool make_room(qtr_learner *learner) {
-  while (qtr_qtable_make_room(&learner->table, QTR_MAX_CHOICES))
+  while (qtr_qtable_make_room(&learner->table, most_choices(learner)))
     if (!learner_may_go_on(learner)) return false;
   return true;
 }
@@ -201,7 +207,7 @@ uint32_t qtr_learner_entry_bytes(const qtr_learner *learner) {
 
 /* An episode learns at most one entry a choice. */
 size_t qtr_learner_table_needs(const qtr_learner *learner) {
-  return qtr_qtable_needs(&learner->table, QTR_MAX_CHOICES);
+  return qtr_qtable_needs(&learner->table, most_choices(learner));
 }
 
 int qtr_learner_move_table(qtr_learner *learner, uint32_t *table, size_t words) {

@@ -16,7 +16,7 @@ void qtr_robot_class_default(qtr_robot_class *robot_class) {
 /* Free rule: places divide among the seekers, and routes can be told apart, which local search and aggregates need. */
 int qtr_mission_default_built(qtr_mission *mission, uint32_t config_id) {
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
-  memset(mission, 0, sizeof *mission);
+  memset(mission, 0, offsetof(qtr_mission, cost));
   mission->made = SETTINGS_MADE;
   qtr_aim_default(&mission->aim);
   mission->rule = QTR_RULE_FREE;

@@ -2,12 +2,25 @@
 
 #include "model/ring.h"
 
+/* Where numbers of cells are as wide as steps, the links of a smaller grid lie right behind its times, so that they end
+ * together. */
+#define ARE_ALIKE (sizeof(qtr_cell) == sizeof(qtr_steps))
+
+static qtr_cell *links_of(qtr_travel *travel, uint32_t cells) {
+  return ARE_ALIKE ? (qtr_cell *)(void *)(travel->to_go + cells) : travel->link;
+}
+
+size_t qtr_travel_bytes(uint32_t cells) {
+  if (!ARE_ALIKE || cells > QTR_MAX_CELLS) return sizeof(qtr_travel);
+  return offsetof(qtr_travel, to_go) + (size_t)cells * (sizeof(qtr_steps) + sizeof(qtr_cell));
+}
+
 /* A cell n is entered from any neighbour at the same price, so its neighbours all learn the same travel time, to_go(n)
  * + cost(n), and the first to tell a cell tells it the least. Each cell therefore waits in the ring once, under that
  * time, and is never moved. */
 static void wait_in_ring(qtr_travel *travel, const qtr_grid *grid, qtr_cell cell, qtr_steps to_go) {
   travel->to_go[cell] = to_go;
-  ring_put(travel->ring, travel->link, cell, to_go + qtr_grid_cost(grid, cell));
+  ring_put(travel->ring, links_of(travel, qtr_grid_cells(grid)), cell, to_go + qtr_grid_cost(grid, cell));
 }
 
 /* North of the first row a number wraps around to one beyond the cells, and south of the last it is beyond them: these
@@ -26,6 +39,7 @@ static void settle_neighbours(qtr_travel *travel, const qtr_grid *grid, qtr_cell
 
 int qtr_travel_fill_built(qtr_travel *travel, const qtr_grid *grid, qtr_cell target, uint32_t config_id) {
   const uint32_t cells = qtr_grid_cells(grid);
+  const qtr_cell *link = links_of(travel, cells);
   if (config_id != QTR_CONFIG_ID) return QTR_ERR_CONFIG;
   if (cells > QTR_MAX_CELLS) return QTR_ERR_LIMIT;
   for (uint32_t cell = 0; cell < cells; cell++) travel->to_go[cell] = QTR_NEVER;
@@ -38,7 +52,7 @@ int qtr_travel_fill_built(qtr_travel *travel, const qtr_grid *grid, qtr_cell tar
     qtr_cell cell = ring_take(travel->ring, now);
     empty = cell == QTR_NO_CELL ? empty + 1 : 0;
     while (cell != QTR_NO_CELL) {
-      const qtr_cell after = travel->link[cell];
+      const qtr_cell after = link[cell];
       settle_neighbours(travel, grid, cell, now);
       cell = after;
     }

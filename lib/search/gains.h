@@ -49,13 +49,13 @@ typedef struct {
 /* Bytes of the block that the gains and times of a game take. A game by legs has two tables of times. */
 size_t qtr_gains_bytes(const qtr_game *game);
 
-/* At most, for games on a map of so many kinds of seekers. */
+/* At most, for games on a map of QTR_STATIC_PLACES and so many kinds of seekers. */
 #define QTR_GAINS_PER_SLOT 3u /* and place, that the block has room for */
 #define QTR_GAINS_BYTES(kinds)                                                                                         \
-  ((kinds) * (size_t)QTR_MAX_PLACES *                                                                                  \
-       (QTR_BOUND_SLOTS * QTR_GAINS_PER_SLOT * sizeof(double) + sizeof(qtr_steps) * QTR_MAX_NODES +                    \
-        sizeof(qtr_gains_way) * QTR_MAX_PLACES) +                                                                      \
-   (size_t)QTR_MAX_PLACES * QTR_MAX_PLACES * sizeof(qtr_memory))
+  ((kinds) * (size_t)QTR_STATIC_PLACES *                                                                               \
+       (QTR_BOUND_SLOTS * QTR_GAINS_PER_SLOT * sizeof(double) + sizeof(qtr_steps) * QTR_STATIC_NODES +                 \
+        sizeof(qtr_gains_way) * QTR_STATIC_PLACES) +                                                                   \
+   (size_t)QTR_STATIC_PLACES * QTR_STATIC_PLACES * sizeof(qtr_memory))
 
 /* Get ready in a block of the caller's, qtr_gains_bytes() aligned for a double. The environment must be without
  * regions; it and the block must outlive the gains. Nothing is known before they are filled. */

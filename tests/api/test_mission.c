@@ -60,8 +60,8 @@ static void test_more_than_the_build_holds(void) {
   mission.rows = 65535;
   expect(QTR_ERR_LIMIT, 0);
   setUp();
-  mission.columns = QTR_MAX_CELLS / 32 + 1;
-  mission.rows = 32;
+  mission.columns = QTR_MAX_CELLS / 256 + 1;
+  mission.rows = 256;
   expect(QTR_ERR_LIMIT, 0);
   setUp();
   mission.seekers = QTR_MAX_SEEKERS + 1;

@@ -115,27 +115,27 @@ static void test_faults_name_line_and_column(void) {
 }
 
 static void test_limits_of_the_build_are_named(void) {
-  static char text[QTR_MAX_CELLS + 4096];
+  static char text[QTR_MAX_CELLS + 8192];
   memset(text, '1', QTR_MAX_PLACES + 2);
   memcpy(text, "S", 1);
   strcpy(text + QTR_MAX_PLACES + 2, "\n");
   scratch_write("places.txt", text);
-  scratch_refuse("places.txt", "places.txt:1:130", "more than 128 places", "QTR_MAX_PLACES");
+  scratch_refuse("places.txt", "places.txt:1:1026", "more than 1024 places", "QTR_MAX_PLACES");
   memset(text, 'S', QTR_MAX_SEEKERS + 1);
   strcpy(text + QTR_MAX_SEEKERS + 1, "1\n");
   scratch_write("robots.txt", text);
-  scratch_refuse("robots.txt", "robots.txt:1:17", "more than 16 robots", "QTR_MAX_SEEKERS");
+  scratch_refuse("robots.txt", "robots.txt:1:33", "more than 32 robots", "QTR_MAX_SEEKERS");
   size_t used = 0;
-  for (int row = 0; row < 1025; row++) {
-    memset(text + used, '.', 1024);
-    text[used + 1024] = '\n';
-    used += 1025;
+  for (int row = 0; row < 2049; row++) {
+    memset(text + used, '.', 2048);
+    text[used + 2048] = '\n';
+    used += 2049;
   }
   scratch_write_bytes("cells.txt", text, used);
-  scratch_refuse("cells.txt", "cells.txt:1025", "1024 x 1025 cells are more than 1048576", "QTR_MAX_CELLS");
+  scratch_refuse("cells.txt", "cells.txt:2049", "2048 x 2049 cells are more than 4194304", "QTR_MAX_CELLS");
   scratch_write("a.txt", "S1\n");
   scratch_options.robots = QTR_MAX_SEEKERS + 1;
-  scratch_refuse("a.txt", "a.txt", "17 robots asked for, but this build holds 16", "QTR_MAX_SEEKERS");
+  scratch_refuse("a.txt", "a.txt", "33 robots asked for, but this build holds 32", "QTR_MAX_SEEKERS");
 }
 
 static void test_a_cell_size_gives_it_metres(void) {

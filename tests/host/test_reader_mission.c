@@ -195,10 +195,10 @@ static void test_more_than_the_build_holds(void) {
   static char text[QTR_MAX_PLACES * 40];
   size_t used = (size_t)sprintf(text, HEAD "places:\n");
   for (int i = 0; i <= QTR_MAX_PLACES; i++) used += (size_t)sprintf(text + used, " - {column: 0, row: 0}\n");
-  refuse(text, "m.yaml:132", "more than 128 places", "QTR_MAX_PLACES");
+  refuse(text, "m.yaml:1028", "more than 1024 places", "QTR_MAX_PLACES");
   used = (size_t)sprintf(text, "map: a.txt\nrobots:\n");
   for (int i = 0; i <= QTR_MAX_SEEKERS; i++) used += (size_t)sprintf(text + used, " - {column: 0, row: 0}\n");
-  refuse(text, "m.yaml:19", "more than 16 robots", "QTR_MAX_SEEKERS");
+  refuse(text, "m.yaml:35", "more than 32 robots", "QTR_MAX_SEEKERS");
 }
 
 static void test_yaml_that_is_none(void) {

@@ -66,8 +66,8 @@ static void test_faults_name_the_line(void) {
 }
 
 static void test_absurd_sizes_are_refused_by_the_header(void) {
-  scratch_write("a.map", "type octile\nheight 1025\nwidth 1024\nmap\n");
-  scratch_refuse("m.yaml", "a.map:2", "1024 x 1025 cells are more than 1048576", "QTR_MAX_CELLS");
+  scratch_write("a.map", "type octile\nheight 2049\nwidth 2048\nmap\n");
+  scratch_refuse("m.yaml", "a.map:2", "2048 x 2049 cells are more than 4194304", "QTR_MAX_CELLS");
   scratch_write("a.map", "type octile\nheight 999999999\nwidth 999999999\nmap\n");
   scratch_refuse("m.yaml", "a.map:2", "999999999 x 999999999 cells", "at most 65535");
   scratch_write("a.map", "type octile\nheight 99999999999999999999\nwidth 1\nmap\n");

@@ -423,8 +423,8 @@ static void test_the_smallest_cell_size_that_fits_does(void) {
 }
 
 static void test_more_cells_than_the_build_holds(void) {
-  scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 0.0005\n"));
-  scratch_refuse("mission.yaml", "m.yaml", "2000 x 1000 cells are more than 1048576", "QTR_MAX_CELLS");
+  scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 0.0003125\n"));
+  scratch_refuse("mission.yaml", "m.yaml", "3200 x 1600 cells are more than 4194304", "QTR_MAX_CELLS");
   scratch_write_rosmap(YAML("negate: 0\n"), "P2 2 1 255\n255 255\n", MISSION("cell_size: 1e-300\n"));
   scratch_refuse("mission.yaml", "m.yaml", "cells: at most 65535", "larger cells");
 }

@@ -106,7 +106,7 @@ static void test_looks_that_find_nothing_more_are_none(void) {
   TEST_ASSERT_EQUAL_INT(1, mission->looks[0]);
   TEST_ASSERT_EQUAL_INT(3, mission->looks[1]);
   TEST_ASSERT_EQUAL_INT_MESSAGE(0, problem_measure(p, &config, &why), why.text);
-  TEST_ASSERT_EQUAL_INT(4, p->game.board.places);
+  TEST_ASSERT_EQUAL_INT(4, p->game->board.places);
 }
 
 static void test_the_command_line_sets_objective_and_deadline_alone(void) {

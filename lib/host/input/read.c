@@ -100,7 +100,7 @@ static int finish(input *in, const input_options *options, fault *why) {
 
 int input_read(input *in, const char *path, const input_options *options, fault *why) {
   file_bytes bytes;
-  memset(in, 0, sizeof *in);
+  memset((char *)in + offsetof(input, frame), 0, sizeof *in - offsetof(input, frame)); /* of the mission see below */
   in->all = options->all;
   qtr_mission_default(&in->mission);
   in->frame.cell_size = 1.0;

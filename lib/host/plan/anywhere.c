@@ -104,8 +104,8 @@ static int divide(builder *b, uint32_t most, fault *why) {
   study *s = b->s;
   memory_block scratch = {0};
   if (s->regions == NULL) s->regions = memory_take(sizeof *s->regions, why);
-  if (s->regions == NULL || memory_need(&scratch, qtr_start_regions_bytes(&s->p.game, most), why) != 0) return -1;
-  const int status = qtr_start_regions_build(s->regions, &s->p.game, most, &s->p.travel, scratch.at, scratch.bytes);
+  if (s->regions == NULL || memory_need(&scratch, qtr_start_regions_bytes(s->p.game, most), why) != 0) return -1;
+  const int status = qtr_start_regions_build(s->regions, s->p.game, most, s->p.travel, scratch.at, scratch.bytes);
   memory_drop(&scratch);
   return status == QTR_OK ? 0 : refuse_regions(b, most, status, why);
 }
@@ -141,12 +141,12 @@ static int steps_for(double games) {
 /* A board of so many regions at most. */
 static int set_up(builder *b, uint32_t most, fault *why) {
   if (b->config->any_starts && divide(b, most, why) != 0) return -1;
-  const qtr_any_start_asked asked = {.game = &b->s->p.game,
+  const qtr_any_start_asked asked = {.game = b->s->p.game,
                                      .regions = b->config->any_starts ? b->s->regions : NULL,
                                      .any_cleared = b->config->any_cleared};
   if (allocate(b, &asked, why) != 0) return -1;
   if (stop_asked()) return stopped(b, why);
-  const int status = qtr_any_start_init(&b->any, &asked, &b->blocks, &b->s->p.travel);
+  const int status = qtr_any_start_init(&b->any, &asked, &b->blocks, b->s->p.travel);
   if (status == QTR_ERR_STOPPED) return stopped(b, why);
   if (status != QTR_OK) return fault_set(why, "%s: %s", b->s->p.in.path, qtr_strerror(status));
   b->steps = steps_for(qtr_any_start_count_games(&b->any));
@@ -162,7 +162,7 @@ static bool may_choose(const builder *b) {
 static int set_up_in_limits(builder *b, fault *why) {
   const double limit = b->config->table_limit * 1e6;
   uint32_t most = b->config->start_regions;
-  if (most == 0) most = regions_for(b, VISITS_MOST / b->s->p.game.board.places);
+  if (most == 0) most = regions_for(b, VISITS_MOST / b->s->p.game->board.places);
   if (set_up(b, most, why) != 0) return -1;
   while (table_bytes(b) > limit) {
     const double records = qtr_any_start_estimate(&b->any);
@@ -200,7 +200,7 @@ static int enlarge(builder *b, fault *why) {
 
 static int add(builder *b, study *learnt, const uint16_t *number, fault *why) {
   qtr_routes routes;
-  qtr_play_to_routes(qtr_learner_best(learnt->learner), &learnt->p.game, &routes);
+  qtr_play_to_routes(qtr_learner_best(learnt->learner), learnt->p.game, &routes);
   while (qtr_any_start_add(&b->any, &routes, number) != QTR_OK)
     if (enlarge(b, why) != 0) return -1;
   return 0;
@@ -211,7 +211,7 @@ static int add_rest(builder *b, fault *why) {
   uint16_t number[QTR_MAX_PLACES];
   study *alone = b->alone;
   why->text[0] = '\0';
-  if (qtr_any_start_game(&b->any, &alone->p.game, &alone->p.in.mission, number) != QTR_OK) return 0;
+  if (qtr_any_start_game(&b->any, alone->p.game, &alone->p.in.mission, number) != QTR_OK) return 0;
   if (!learn_game(b, b->steps, why)) return why->text[0] != '\0' ? -1 : 0;
   return add(b, alone, number, why);
 }
@@ -292,8 +292,8 @@ static void try_starts(builder *b, const uint8_t *bytes, uint32_t size, anywhere
   qtr_start_trials_begin(&trials, b->config->learner.seed);
   while (!stop_asked() && qtr_start_trials_next(&trials, &policy, &b->s->p.in.mission, rest)) {
     progress_count(&b->shown, "trials", trials.count, QTR_START_TRIALS, stop_seconds());
-    if (qtr_rest_game(&alone->p.game, rest, &alone->p.travel) == QTR_OK && learn_game(b, TRIAL_STEPS, why))
-      qtr_start_trials_add(&trials, &policy, &alone->p.game, qtr_learner_best(alone->learner)->score.worth);
+    if (qtr_rest_game(alone->p.game, rest, alone->p.travel) == QTR_OK && learn_game(b, TRIAL_STEPS, why))
+      qtr_start_trials_add(&trials, &policy, alone->p.game, qtr_learner_best(alone->learner)->score.worth);
   }
   progress_end(&b->shown);
   report->trials = trials.count;
@@ -324,9 +324,10 @@ uint32_t anywhere_learn(study *s, const plan_config *config, uint8_t **bytes, an
   progress_begin(&b.shown, config->quiet, 0.0, 0.0);
   b.alone = study_take(why);
   if (b.alone == NULL) return 0;
-  memcpy(&b.alone->p.in.mission, &s->p.in.mission, sizeof b.alone->p.in.mission);
+  memcpy(&b.alone->p.in.mission, &s->p.in.mission, offsetof(qtr_mission, cost) + qtr_mission_cells(&s->p.in.mission));
   memcpy(b.alone->p.in.path, s->p.in.path, sizeof b.alone->p.in.path); /* for what may be said of it */
-  const uint32_t size = learn(&b, bytes, report, why);
+  const bool has_room = problem_need_game(&b.alone->p, why) == 0;
+  const uint32_t size = has_room ? learn(&b, bytes, report, why) : 0;
   study_drop(b.alone);
   drop(&b.blocks);
   drop(&b.last.blocks);

@@ -58,7 +58,7 @@ static void name_unreachable(const problem *p, char *names) {
   names[0] = '\0';
   for (int place = 0; place < p->in.mission.places; place++) {
     char name[300];
-    if (qtr_game_reachable(&p->game, (unsigned)place)) continue;
+    if (qtr_game_reachable(p->game, (unsigned)place)) continue;
     input_place_name(&p->in, place, name, sizeof name);
     if (length + strlen(name) + 8 > NAMES_SIZE) {
       snprintf(names + length, NAMES_SIZE - length, ", ...");
@@ -72,7 +72,7 @@ static void drop_unreachable(problem *p) {
   qtr_mission *mission = &p->in.mission;
   uint16_t kept = 0;
   for (uint16_t place = 0; place < mission->places; place++) {
-    if (!qtr_game_reachable(&p->game, place)) continue;
+    if (!qtr_game_reachable(p->game, place)) continue;
     input_keep_place(&p->in, kept++, place);
   }
   mission->places = kept;
@@ -124,11 +124,11 @@ static double mild_gamma(qtr_steps steps) {
 }
 
 static int fault_discount(const problem *p, int place, fault *why) {
-  const qtr_board *board = &p->game.board;
+  const qtr_board *board = &p->game->board;
   qtr_steps nearest = QTR_NEVER;
   char name[300];
   for (unsigned i = 0; i < board->seekers; i++) {
-    const qtr_steps steps = unfit_way(&p->game, i, (unsigned)place);
+    const qtr_steps steps = unfit_way(p->game, i, (unsigned)place);
     if (steps < nearest) nearest = steps;
   }
   input_place_name(&p->in, place, name, sizeof name);
@@ -147,26 +147,42 @@ int problem_load(problem *p, const char *path, const plan_config *config, fault 
   return 0;
 }
 
+int problem_need_game(problem *p, fault *why) {
+  int status = memory_need(&p->game_block, qtr_game_bytes(&p->in.mission), why);
+  if (status == 0) status = memory_need(&p->travel_block, qtr_travel_bytes(qtr_mission_cells(&p->in.mission)), why);
+  p->game = p->game_block.at;
+  p->travel = p->travel_block.at;
+  return status;
+}
+
+void problem_give_back(problem *p) {
+  memory_drop(&p->game_block);
+  memory_drop(&p->travel_block);
+  p->game = NULL;
+  p->travel = NULL;
+}
+
 int problem_measure(problem *p, const plan_config *config, fault *why) {
   const double begin = stop_seconds();
   int culprit;
   int status = qtr_mission_check(&p->in.mission, &culprit);
-  if (status == QTR_OK) status = qtr_game_init(&p->game, &p->in.mission, &p->travel, &culprit);
+  if (problem_need_game(p, why) != 0) return -1;
+  if (status == QTR_OK) status = qtr_game_init(p->game, &p->in.mission, p->travel, &culprit);
   if (status == QTR_ERR_UNREACHABLE) {
     if (handle_unreachable(p, config, why) != 0) return -1;
-    status = qtr_game_init(&p->game, &p->in.mission, &p->travel, &culprit);
+    status = qtr_game_init(p->game, &p->in.mission, p->travel, &culprit);
   }
   const bool some_left_out = p->in.places_stated != p->in.mission.places;
   p->in.mission.number = some_left_out ? p->in.place_number : NULL;
   p->travel_seconds = stop_seconds() - begin;
-  if (status == QTR_OK) unfit_note(&p->in, &p->game, &p->pace);
+  if (status == QTR_OK) unfit_note(&p->in, p->game, &p->pace);
   notes_print(&p->in.note, 0);
   if (status == QTR_ERR_DISCOUNT) return fault_discount(p, culprit, why);
   /* All places take as long as those that were measured; what comes after them until the first plan takes no time. */
   if (status == QTR_ERR_STOPPED)
     return stop_fault(why, p->in.path, "a first plan",
-                      begin + p->travel_seconds * p->in.mission.places / p->game.measured);
-  return status == QTR_OK ? 0 : unfit_fault(&p->in, &p->game, &p->pace, status, culprit, why);
+                      begin + p->travel_seconds * p->in.mission.places / p->game->measured);
+  return status == QTR_OK ? 0 : unfit_fault(&p->in, p->game, &p->pace, status, culprit, why);
 }
 
 uint32_t problem_free_cells(const problem *p) {

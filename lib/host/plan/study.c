@@ -13,6 +13,7 @@ study *study_take(fault *why) {
 
 void study_drop(study *s) {
   if (s == NULL) return;
+  problem_give_back(&s->p);
   memory_drop(&s->ground_block);
   memory_drop(&s->aggregate_block);
   memory_drop(&s->work);
@@ -38,7 +39,7 @@ int study_divide(study *s, const aggregate_config *how, fault *why) {
 /* The ground has the mission's own rule, but under an aggregate: its policy is played on the ground by the free one,
  * whatever the rule that it was learnt by. */
 static void set_ground_rule(study *s) {
-  s->p.game.board.rule = s->aggregated ? QTR_RULE_FREE : s->p.in.mission.rule;
+  s->p.game->board.rule = s->aggregated ? QTR_RULE_FREE : s->p.in.mission.rule;
 }
 
 /* 0, -1 with *why set, or QTR_ERR_STOPPED. */
@@ -51,15 +52,15 @@ static int make_aggregate(study *s, const aggregate_config *how, fault *why) {
   units.rule = s->p.in.mission.rule;
   units.by_spots = aggregate_by_spots(how->way);
   units.regions = by_regions ? s->regions : NULL;
-  if (memory_need(block, qtr_environment_bytes(&s->p.game, &units), why) != 0) return -1;
-  status = qtr_environment_init(&s->aggregate, block->at, block->bytes, &s->p.game, &units, &s->p.travel);
+  if (memory_need(block, qtr_environment_bytes(s->p.game, &units), why) != 0) return -1;
+  status = qtr_environment_init(&s->aggregate, block->at, block->bytes, s->p.game, &units, s->p.travel);
   if (status == QTR_OK || status == QTR_ERR_STOPPED) return status;
   return fault_set(why, "%s: %s", s->p.in.path, qtr_strerror(status));
 }
 
 static int take_blocks(study *s, fault *why) {
-  if (memory_need(&s->ground_block, qtr_environment_bytes(&s->p.game, NULL), why) != 0) return -1;
-  if (memory_need(&s->work, qtr_learner_bytes(&s->p.game), why) != 0) return -1;
+  if (memory_need(&s->ground_block, qtr_environment_bytes(s->p.game, NULL), why) != 0) return -1;
+  if (memory_need(&s->work, qtr_learner_bytes(s->p.game), why) != 0) return -1;
   return memory_need(&s->table, TABLE_FIRST_WORDS * sizeof(uint32_t), why);
 }
 
@@ -80,7 +81,7 @@ int study_begin(study *s, const plan_config *config, fault *why) {
   s->aggregated = s->aggregated && status == QTR_OK;
   set_ground_rule(s);
   if (take_blocks(s, why) != 0) return -1;
-  status = qtr_environment_init(&s->ground, s->ground_block.at, s->ground_block.bytes, &s->p.game, NULL, &s->p.travel);
+  status = qtr_environment_init(&s->ground, s->ground_block.at, s->ground_block.bytes, s->p.game, NULL, s->p.travel);
   if (status == QTR_OK) status = make_learner(s, &learning);
   return status == QTR_OK ? 0 : fault_set(why, "%s: %s", s->p.in.path, qtr_strerror(status));
 }

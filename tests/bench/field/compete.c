@@ -119,7 +119,7 @@ static int solve(json *j, problem_case *made, fault *why) {
   const double begin = learn_clock();
   study *s = made->s;
   int status = solution != NULL ? exact_check(&s->p.in.mission, why) : -1;
-  if (status == 0) status = exact_solve(solution, &s->p.in.mission, &s->p.travel, why);
+  if (status == 0) status = exact_solve(solution, &s->p.in.mission, s->p.travel, why);
   if (status == 0) {
     json_object(j, NULL);
     json_flat_array(j, "routes");

@@ -79,8 +79,8 @@ static bool people(study *s, const family_wish *wish, uint64_t *state) {
   qtr_mission *mission = &s->p.in.mission;
   const qtr_grid grid = qtr_mission_grid(mission);
   const qtr_cell first = first_cell(mission, wish->family, state);
-  qtr_travel_fill(&s->p.travel, &grid, first);
-  return put_robots(mission, wish, &s->p.travel, first, state) && put_places(mission, wish, &s->p.travel, state);
+  qtr_travel_fill(s->p.travel, &grid, first);
+  return put_robots(mission, wish, s->p.travel, first, state) && put_places(mission, wish, s->p.travel, state);
 }
 
 /* ---- problems ---- */
@@ -105,6 +105,7 @@ static int draw(study *s, const family_wish *wish, fault *why) {
   for (unsigned i = 0; i < TRIES; i++) {
     begin(&s->p.in.mission, wish);
     if (ground_draw(&s->p.in.mission, wish->family, wish->side, &state, why) != 0) return -1;
+    if (problem_need_game(&s->p, why) != 0) return -1;
     if (people(s, wish, &state)) return 0;
   }
   return fault_set(why, "no room for %u places on ground of that size", wish->places);
@@ -117,7 +118,8 @@ int problem_of_family(problem_case *made, const family_wish *wish, fault *why) {
   made->s = study_take(why);
   if (made->s == NULL || draw(made->s, wish, why) != 0) return -1;
   snprintf(made->s->p.in.path, sizeof made->s->p.in.path, "%s", made->name);
-  const int status = qtr_game_init(&made->s->p.game, &made->s->p.in.mission, &made->s->p.travel, NULL);
+  if (problem_need_game(&made->s->p, why) != 0) return -1;
+  const int status = qtr_game_init(made->s->p.game, &made->s->p.in.mission, made->s->p.travel, NULL);
   if (status != QTR_OK) return fault_set(why, "%s: %s", made->name, qtr_strerror(status));
   return problem_tell(made, why);
 }

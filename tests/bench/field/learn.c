@@ -23,7 +23,7 @@ static bool is_better(const qtr_certificate *now, const qtr_certificate *before,
 /* The last point is overwritten until the plan has become better since. */
 static void note(learnt *l, const study *s, int setting, double begin) {
   learn_point point;
-  const bool by_time = s->p.game.objective.kind == QTR_TIME;
+  const bool by_time = s->p.game->objective.kind == QTR_TIME;
   qtr_learner_certificate(s->learner, &point.certificate);
   point.seconds = learn_clock() - begin;
   /* What it has before its first game it does not show as learnt. */
@@ -40,7 +40,7 @@ static void note_end(learnt *l, const study *s, double begin) {
 }
 
 static int take_routes(learnt *l, const study *s, fault *why) {
-  const qtr_game *game = &s->p.game;
+  const qtr_game *game = s->p.game;
   qtr_routes *routes = memory_take(sizeof *routes, why);
   l->best.length = routes != NULL ? memory_take(game->board.seekers * sizeof *l->best.length, why) : NULL;
   l->best.look = l->best.length != NULL ? memory_take(game->board.places * sizeof *l->best.look, why) : NULL;

@@ -50,7 +50,7 @@ static void tell_steps(plain_problem *p, const qtr_game *game) {
 }
 
 int problem_tell(problem_case *made, fault *why) {
-  const qtr_game *game = &made->s->p.game;
+  const qtr_game *game = made->s->p.game;
   plain_problem *p = &made->plain;
   p->looks = game->board.places;
   p->places = game->mission->places;
@@ -127,11 +127,11 @@ static int make_game(problem_case *made, const tsplib *instance, const char *pat
   const size_t places = instance->towns - 1;
   qtr_steps *steps = memory_take((places + 1) * places * sizeof *steps, why);
   qtr_steps *home = steps != NULL ? memory_take(places * sizeof *home, why) : NULL;
-  int status = home != NULL ? 0 : -1;
+  int status = home != NULL ? problem_need_game(&made->s->p, why) : -1;
   if (status == 0) {
     const qtr_legs legs = {1, steps, home};
     fill_legs(steps, home, instance);
-    status = qtr_game_init_legs(&made->s->p.game, &made->s->p.in.mission, &legs, NULL);
+    status = qtr_game_init_legs(made->s->p.game, &made->s->p.in.mission, &legs, NULL);
     if (status != QTR_OK) file_fault(why, path, instance->line, 0, "%s", qtr_strerror(status));
   }
   free(home);
