@@ -109,7 +109,9 @@ typedef struct {
 size_t qtr_learner_bytes(const qtr_game *game);
 
 /* What ruin and recreate takes of it. */
-#define QTR_RECREATION_BYTES (QTR_RECREATES ? 3 * sizeof(qtr_routes) + (size_t)QTR_MAX_PLACES * 56 + 256 : 0)
+#define QTR_RECREATION_BYTES                                                                                           \
+  ((QTR_RECREATES ? 3 * sizeof(qtr_routes) + (size_t)QTR_MAX_PLACES * 56 + 256 : 0) +                                  \
+   (size_t)QTR_VICINITY_PLACES * (2 * QTR_VICINITY + QTR_VICINITY_PLACES / 8))
 
 /* At most, for missions of QTR_STATIC_PLACES whose seekers are of no more than QTR_MAX_CLASSES kinds (quarter/terms.h):
  * what the bound's prices, the game under way and the search on it take, then the bound's gains. */

@@ -36,6 +36,11 @@ typedef struct {
  * moves one at a time alone. */
 #define QTR_RECREATES (QTR_MAX_PLACES > 12)
 
+/* Games of more places than this are searched in the vicinity of each place alone, so many places that are near. */
+#define QTR_SEARCHED_WHOLE 128
+#define QTR_VICINITY (QTR_MAX_PLACES > QTR_SEARCHED_WHOLE ? 24 : 1)
+#define QTR_VICINITY_PLACES (QTR_MAX_PLACES > QTR_SEARCHED_WHOLE ? QTR_MAX_PLACES : 1)
+
 typedef struct {
   uint16_t length[QTR_MAX_ROUTES];
   uint16_t place[QTR_MAX_ROUTES][QTR_MAX_PLACES]; /* in the order of the visits */

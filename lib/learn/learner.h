@@ -9,6 +9,7 @@
 #include "search/qtable.h"
 #include "search/recreate.h"
 #include "search/refine.h"
+#include "search/vicinity.h"
 
 /* The choices of a state, each with its Q and the entry that it is stored under. */
 typedef struct {
@@ -47,6 +48,7 @@ struct qtr_learner {
   qtr_routes routes;
   qtr_refinery refinery;
 #if QTR_RECREATES
+  qtr_vicinity vicinity;
   qtr_recreation recreation;
   double planned;         /* worth of the best game that it knows of */
   uint32_t planned_steps; /* that it has gone on beside */

@@ -14,7 +14,6 @@
 #include "model/settings.h"
 #include "quarter/status.h"
 
-#define PRICE_STEPS 16 /* of the bound in one step of the learner */
 #define FIRST_ROUNDS 8 /* of shaking the first game */
 
 void qtr_learner_config_default(qtr_learner_config *config) {
@@ -77,7 +76,8 @@ static void play_first(qtr_learner *learner) {
   if (learner_is_aggregate(learner)) play_aggregate_by_rate(learner);
   if (learner_learns_alone(learner)) return;
   learner->episodes = 1;
-  qtr_certified_refine(learner, FIRST_ROUNDS);
+  qtr_certified_refine(learner, learner->game->board.places > QTR_SEARCHED_WHOLE ? 0 : FIRST_ROUNDS);
+  qtr_planning_first(learner);
 }
 
 /* The public header's sizes hold what stands in the workspace. */
@@ -95,6 +95,8 @@ static int check_blocks(const qtr_learner_blocks *blocks, const qtr_game *game) 
 static void begin_prices(qtr_learner *learner, const qtr_environment *environment) {
   qtr_bound_init(&learner->bound, learner + 1, environment, learner->best.visit);
   learner->upper = learner->bound.upper;
+  if (learner->game->board.places > QTR_SEARCHED_WHOLE && qtr_bound_at_once(&learner->bound) < learner->upper)
+    learner->upper = qtr_bound_at_once(&learner->bound);
 }
 
 /* The bound begins on the ground, whatever is learnt on: its prices are the certificate's. Floats round Q up by as much
@@ -151,7 +153,8 @@ static bool may_tune(const qtr_learner *learner) {
  * first. */
 static void tune_prices(qtr_learner *learner) {
   bool improves = true;
-  for (int i = 0; i < PRICE_STEPS && improves; i++)
+  const uint32_t steps = qtr_planning_price_steps(learner, QTR_PRICE_STEPS);
+  for (uint32_t i = 0; i < steps && improves; i++)
     improves = may_tune(learner) && qtr_bound_improve(&learner->bound, learner->best.score.worth);
   note_upper(learner);
   if (improves || !qtr_bound_settle(&learner->bound)) return;

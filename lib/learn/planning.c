@@ -9,6 +9,21 @@
 #define LONGEST_RUN (1u << 24)
 #define WORK_MOST (1u << 19) /* rounds times places of one step */
 
+/* Of games that are searched by vicinity: rounds of the first run for each place, and of a step for each slot and place
+ * that its prices fill; they take as long as these then. */
+#define LARGE_RUN 32u
+#define LARGE_SHARE 16u
+
+static bool is_large(const qtr_learner *learner) {
+  return qtr_vicinity_in_use(&learner->vicinity);
+}
+
+/* Fewer of the prices' steps go to one of the learner, or it would last minutes. */
+uint32_t qtr_planning_price_steps(const qtr_learner *learner, uint32_t most) {
+  const uint32_t places = learner->game->board.places;
+  return is_large(learner) ? 1 + most * QTR_SEARCHED_WHOLE / places * QTR_SEARCHED_WHOLE / places : most;
+}
+
 /* A share of what a step takes itself: prices take their slots times the square of the places, episodes the cube, and a
  * round takes the places. Much of it comes first, for prices are tuned towards the best game. Games of few places are
  * mostly over before they need it. */
@@ -18,11 +33,17 @@ static uint32_t rounds_of_step(const qtr_learner *learner) {
   const uint32_t few = prices ? 24 : 12;
   const uint32_t most = WORK_MOST / places;
   if (places <= few) return 0;
+  if (is_large(learner) && prices)
+    return qtr_planning_price_steps(learner, QTR_PRICE_STEPS) * learner->bound.gains.slots * places / LARGE_SHARE;
   const uint32_t more = places - few;
   const uint32_t rounds =
       prices ? 2 * places * more / (1 + learner->planned_steps) + learner->bound.gains.slots * more / 32
              : places * more / 100;
   return rounds < most ? rounds : most;
+}
+
+static uint32_t first_run(const qtr_learner *learner) {
+  return is_large(learner) ? LARGE_RUN * learner->game->board.places : FIRST_RUN;
 }
 
 /* Every better game that is found elsewhere goes in. */
@@ -32,8 +53,8 @@ static void take_over(qtr_learner *learner) {
   if (!over && learner->best.score.worth <= learner->planned) return;
   qtr_play_to_routes(&learner->best, learner->game, &learner->routes);
   if (over) {
-    const uint32_t rounds = r->rounds == 0 ? FIRST_RUN : r->rounds < LONGEST_RUN ? 2 * r->rounds : r->rounds;
-    qtr_recreation_begin(r, learner->game, &learner->routes, rounds, learner->config.seed + rounds);
+    const uint32_t rounds = r->rounds == 0 ? first_run(learner) : r->rounds < LONGEST_RUN ? 2 * r->rounds : r->rounds;
+    qtr_recreation_begin(r, learner->game, &learner->vicinity, &learner->routes, rounds, learner->config.seed + rounds);
   } else {
     qtr_recreation_adopt(r, &learner->routes);
   }
@@ -53,11 +74,15 @@ static void hand_over(qtr_learner *learner) {
 void qtr_planning_init(qtr_learner *learner) {
   learner->recreation.round = learner->recreation.rounds = 0;
   learner->planned_steps = 0;
+  qtr_vicinity_init(&learner->vicinity, learner->game);
+  qtr_refine_begin(&learner->refinery, &learner->vicinity);
 }
 
-void qtr_planning_step(qtr_learner *learner) {
-  const uint32_t rounds = rounds_of_step(learner);
-  if (rounds == 0 || learner_learns_alone(learner) || learner->game->board.rule != QTR_RULE_FREE) return;
+static bool may_plan(const qtr_learner *learner) {
+  return !learner_learns_alone(learner) && learner->game->board.rule == QTR_RULE_FREE;
+}
+
+static void plan(qtr_learner *learner, uint32_t rounds) {
   take_over(learner);
   qtr_recreation_go_on(&learner->recreation, rounds);
   hand_over(learner);
@@ -65,7 +90,25 @@ void qtr_planning_step(qtr_learner *learner) {
   learner->planned = learner->best.score.worth;
 }
 
+void qtr_planning_first(qtr_learner *learner) {
+  if (is_large(learner) && may_plan(learner)) plan(learner, first_run(learner));
+}
+
+void qtr_planning_step(qtr_learner *learner) {
+  const uint32_t rounds = rounds_of_step(learner);
+  if (rounds > 0 && may_plan(learner)) plan(learner, rounds);
+}
+
 #else
+
+uint32_t qtr_planning_price_steps(const qtr_learner *learner, uint32_t most) {
+  (void)learner;
+  return most;
+}
+
+void qtr_planning_first(qtr_learner *learner) {
+  (void)learner;
+}
 
 void qtr_planning_init(qtr_learner *learner) {
   (void)learner;

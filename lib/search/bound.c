@@ -66,7 +66,7 @@ static qtr_steps price_by_visits(qtr_bound *bound, const qtr_steps *visit) {
 
 /* The bound without prices: each place reached by whoever is first there, all at once, and nobody's way home
  * counted. */
-static double upper_at_once(const qtr_bound *bound) {
+double qtr_bound_at_once(const qtr_bound *bound) {
   const qtr_board *board = &bound->game->board;
   double upper = qtr_objective_left(&bound->game->objective, 1.0);
   for (unsigned place = 0; place < board->places; place++) {
@@ -129,7 +129,7 @@ void qtr_bound_init(qtr_bound *bound, void *block, const qtr_environment *enviro
   bound->iterations = 0;
   bound->rounds = 1;
   bound->upper = bound->upper_before = HUGE_VAL;
-  if (!begin_cuts(bound)) bound->upper = upper_at_once(bound);
+  if (!begin_cuts(bound)) bound->upper = qtr_bound_at_once(bound);
 }
 
 /* The next prices are to bring the bound down to the goal, as long as the cuts allow that, then half the way to its

@@ -48,6 +48,10 @@ typedef struct {
  * not tight. */
 void qtr_bound_init(qtr_bound *bound, void *block, const qtr_environment *environment, const qtr_steps *visit);
 
+/* The bound without prices: what the nearest seekers could collect all at once. Of large games the prices take minutes
+ * to come below it. */
+double qtr_bound_at_once(const qtr_bound *bound);
+
 /* One step of the prices towards `goal`, the worth of the best play known. False when more steps are of no use; the
  * best prices are then in force. After a stop neither bound nor prices have changed, and the step can be taken
  * again. */

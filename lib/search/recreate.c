@@ -33,11 +33,12 @@ static unsigned average_length(const qtr_recreation *r, unsigned *placed) {
   return routes > 0 ? *placed / routes : 0;
 }
 
-/* The number of a place on its route. */
-static unsigned position_of(const qtr_schedule *s, uint16_t place) {
-  const uint16_t *places = s->routes.place[s->route_of[place]];
+/* The number of a place on its route. That of what nobody visits has no times, nor numbers kept. */
+static unsigned number_of(const qtr_schedule *s, uint16_t place) {
+  const unsigned route = s->route_of[place];
   unsigned at = 0;
-  while (places[at] != place) at++;
+  if (route < s->game->board.seekers) return s->at[place];
+  while (s->routes.place[route][at] != place) at++;
   return at;
 }
 
@@ -52,7 +53,7 @@ static void take_out(qtr_recreation *r, unsigned route, unsigned from, unsigned 
 static void remove_string(qtr_recreation *r, uint16_t place, unsigned count) {
   const unsigned route = r->trial.route_of[place];
   const unsigned length = r->trial.routes.length[route];
-  const unsigned at = position_of(&r->trial, place);
+  const unsigned at = number_of(&r->trial, place);
   const bool split = count > 1 && count < length && draw(r, 2) == 0;
   const unsigned span = split ? count + 1 : count;
   const unsigned first = at + 1 > span ? at + 1 - span : 0;
@@ -67,14 +68,28 @@ static void remove_string(qtr_recreation *r, uint16_t place, unsigned count) {
   take_out(r, route, from, kept);
 }
 
+static bool is_whole(const qtr_schedule *s, uint16_t place, const bool *ruined) {
+  return s->route_of[place] != QTR_NO_ROUTE && !ruined[s->route_of[place]];
+}
+
+/* The first of those near `seed` that is on a route that has not been ruined; QTR_STAND_DOWN: none is, or it is not
+ * known who is near. */
+static uint16_t first_near(const qtr_recreation *r, uint16_t seed, const bool *ruined) {
+  for (unsigned i = 0; qtr_vicinity_in_use(r->vicinity) && i < QTR_VICINITY; i++)
+    if (is_whole(&r->trial, r->vicinity->near[seed][i], ruined)) return r->vicinity->near[seed][i];
+  return QTR_STAND_DOWN;
+}
+
 /* The place nearest to `seed` on a route that has not been ruined, as its own seeker goes; the seed itself first. */
 static uint16_t nearest(const qtr_recreation *r, uint16_t seed, const bool *ruined) {
   const qtr_schedule *s = &r->trial;
+  const uint16_t near = first_near(r, seed, ruined);
+  if (near != QTR_STAND_DOWN) return near;
   uint16_t found = QTR_STAND_DOWN;
   qtr_steps least = QTR_NEVER;
   for (uint16_t place = 0; place < s->game->board.places; place++) {
     const unsigned route = s->route_of[place];
-    if (route == QTR_NO_ROUTE || ruined[route]) continue;
+    if (!is_whole(s, place, ruined)) continue;
     const unsigned seeker = route < s->game->board.seekers ? route : 0;
     const qtr_steps steps = qtr_steps_between(&s->game->board, seeker, seed, place);
     if (steps >= least && found != QTR_STAND_DOWN) continue;
@@ -161,16 +176,35 @@ static bool blinks(qtr_recreation *r) {
   return true;
 }
 
+static void try_insertion(qtr_recreation *r, uint16_t place, unsigned route, unsigned at, qtr_insertion *best) {
+  if (blinks(r)) return;
+  const double gain = qtr_schedule_try(&r->trial, route, at, place);
+  if (gain > best->gain) *best = (qtr_insertion){gain, route, at};
+}
+
+/* Before and behind each place that is near, and first on each route. */
+static qtr_insertion find_near_insertion(qtr_recreation *r, uint16_t place) {
+  const qtr_schedule *s = &r->trial;
+  const unsigned seekers = s->game->board.seekers;
+  qtr_insertion best = {-HUGE_VAL, 0, 0};
+  for (unsigned route = 0; route < seekers; route++) try_insertion(r, place, route, 0, &best);
+  for (unsigned i = 0; i < QTR_VICINITY; i++) {
+    const uint16_t near = r->vicinity->near[place][i];
+    const unsigned route = s->route_of[near];
+    if (route >= seekers) continue;
+    if (s->at[near] > 0) try_insertion(r, place, route, s->at[near], &best);
+    try_insertion(r, place, route, s->at[near] + 1u, &best);
+  }
+  return best;
+}
+
 static qtr_insertion find_insertion(qtr_recreation *r, uint16_t place) {
   const qtr_schedule *s = &r->trial;
   qtr_insertion best = {-HUGE_VAL, 0, 0};
-  for (unsigned route = 0; route < s->game->board.seekers; route++) {
-    for (unsigned at = 0; at <= s->routes.length[route]; at++) {
-      if (blinks(r)) continue;
-      const double gain = qtr_schedule_try(s, route, at, place);
-      if (gain > best.gain) best = (qtr_insertion){gain, route, at};
-    }
-  }
+  if (qtr_vicinity_in_use(r->vicinity)) best = find_near_insertion(r, place);
+  if (best.gain != -HUGE_VAL) return best;
+  for (unsigned route = 0; route < s->game->board.seekers; route++)
+    for (unsigned at = 0; at <= s->routes.length[route]; at++) try_insertion(r, place, route, at, &best);
   return best;
 }
 
@@ -238,7 +272,7 @@ static void undo(qtr_recreation *r) {
 
 static void note_best(qtr_recreation *r, qtr_route_score score) {
   if (!qtr_route_is_better(score, sum_all(r->trial.game, &r->best))) return;
-  r->best = r->now;
+  for (unsigned i = 0; i < qtr_routes_count(r->trial.game); i++) copy_route(&r->best, &r->now, i);
   r->found = true;
 }
 
@@ -270,8 +304,9 @@ static double hot(const qtr_schedule *s) {
   return placed > 0 ? HOT * loss / (double)placed : 0.0;
 }
 
-void qtr_recreation_begin(qtr_recreation *r, const qtr_game *game, const qtr_routes *routes, uint32_t rounds,
-                          uint64_t seed) {
+void qtr_recreation_begin(qtr_recreation *r, const qtr_game *game, const qtr_vicinity *vicinity,
+                          const qtr_routes *routes, uint32_t rounds, uint64_t seed) {
+  r->vicinity = vicinity;
   qtr_schedule_begin(&r->trial, game, routes);
   r->now = r->trial.routes;
   r->best = r->trial.routes;

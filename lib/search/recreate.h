@@ -13,12 +13,14 @@
 #include "quarter/game.h"
 #include "search/play.h"
 #include "search/schedule.h"
+#include "search/vicinity.h"
 
 /* Caller's memory for the search. */
 typedef struct {
   qtr_schedule trial; /* what is ruined and recreated: but for that, `now` */
   qtr_routes now;     /* where annealing is */
   qtr_routes best;
+  const qtr_vicinity *vicinity;
   uint16_t removed[QTR_MAX_PLACES];
   double order[QTR_MAX_PLACES]; /* by which those removed are put back, least first */
   unsigned count;               /* removed */
@@ -31,10 +33,10 @@ typedef struct {
   uint64_t random;
 } qtr_recreation;
 
-/* Begin a run of so many rounds on routes that can be played. The game must outlive it; `seed` decides all that is
- * random. */
-void qtr_recreation_begin(qtr_recreation *recreation, const qtr_game *game, const qtr_routes *routes, uint32_t rounds,
-                          uint64_t seed);
+/* Begin a run of so many rounds on routes that can be played. The game and its vicinity must outlive it; `seed` decides
+ * all that is random. */
+void qtr_recreation_begin(qtr_recreation *recreation, const qtr_game *game, const qtr_vicinity *vicinity,
+                          const qtr_routes *routes, uint32_t rounds, uint64_t seed);
 
 /* Go on from other routes of the same game, as hot as it is; the best stays the best. */
 void qtr_recreation_adopt(qtr_recreation *recreation, const qtr_routes *routes);

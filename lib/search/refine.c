@@ -25,6 +25,73 @@ static void set_route(qtr_refinery *r, qtr_routes *routes, unsigned seeker, cons
   if (is_told(r)) qtr_pieces_refresh(&r->pieces, seeker);
 }
 
+/* ---- who may come beside whom ---- */
+
+void qtr_refine_begin(qtr_refinery *r, const qtr_vicinity *vicinity) {
+#if QTR_VICINITY_PLACES > 1
+  r->vicinity = vicinity;
+#else
+  (void)r;
+  (void)vicinity;
+#endif
+}
+
+static inline bool goes_by_vicinity(const qtr_refinery *r) {
+#if QTR_VICINITY_PLACES > 1
+  return r->vicinity != NULL && qtr_vicinity_in_use(r->vicinity);
+#else
+  (void)r;
+  return false;
+#endif
+}
+
+#if QTR_VICINITY_PLACES > 1
+
+/* Whether the place before `at` on one route may come right before the one at `next` on another. A start is near all
+ * places, the end of a route none. */
+static bool may_join(const qtr_refinery *r, const uint16_t *route, unsigned at, const uint16_t *other, unsigned length,
+                     unsigned next) {
+  if (next >= length) return false;
+  return at == 0 || qtr_vicinity_has(r->vicinity, route[at - 1], other[next]);
+}
+
+/* Any of the joints that an exchange makes, as of try_exchange(). */
+static bool exchange_is_near(const qtr_refinery *r, const qtr_routes *routes, unsigned first, unsigned from,
+                             unsigned count, unsigned second, unsigned at, unsigned other) {
+  const uint16_t *x = routes->place[first], *y = routes->place[second];
+  const unsigned in_x = routes->length[first], in_y = routes->length[second];
+  if (!goes_by_vicinity(r)) return true;
+  return may_join(r, y, at, x, in_x, from) || (other > 0 && may_join(r, x, from, y, in_y, at)) ||
+         (count > 0 && may_join(r, x, from + count, y, in_y, at + other)) ||
+         (other > 0 && may_join(r, y, at + other, x, in_x, from + count));
+}
+
+/* Either end of a run that is to come where `at` others come before it: `to` is the place behind it then. */
+static bool shift_is_near(const qtr_refinery *r, const qtr_routes *routes, unsigned seeker, unsigned from,
+                          unsigned count, unsigned at) {
+  const uint16_t *x = routes->place[seeker];
+  const unsigned to = at < from ? at : at + count;
+  if (!goes_by_vicinity(r)) return true;
+  return may_join(r, x, to, x, routes->length[seeker], from) ||
+         may_join(r, x, from + count, x, routes->length[seeker], to);
+}
+
+static bool reverse_is_near(const qtr_refinery *r, const qtr_routes *routes, unsigned seeker, unsigned from,
+                            unsigned to) {
+  const uint16_t *x = routes->place[seeker];
+  if (!goes_by_vicinity(r)) return true;
+  return may_join(r, x, from, x, routes->length[seeker], to - 1) ||
+         (to < routes->length[seeker] && qtr_vicinity_has(r->vicinity, x[from], x[to]));
+}
+
+#else
+
+#define exchange_is_near(r, routes, first, from, count, second, at, other) true
+#define shift_is_near(r, routes, seeker, from, count, at) true
+#define reverse_is_near(r, routes, seeker, from, to) true
+
+#endif
+
 /* ---- what a move would bring, told from pieces: whether it is worth following the routes that it makes ---- */
 
 /* As close to a gain as what the sums are wrong by. */
@@ -119,6 +186,7 @@ static bool try_shift(qtr_refinery *r, qtr_routes *routes, const qtr_game *game,
   const uint16_t *route = routes->place[seeker];
   const unsigned least = at < from ? at : from;
   const unsigned most = at < from ? from + count : at + count;
+  if (!shift_is_near(r, routes, seeker, from, count, at)) return false;
   if (is_told(r) && !swap_is_promising(r, routes, seeker, least, at < from ? from : from + count, most)) return false;
   uint16_t *rest = r->b;
   unsigned left = append(rest, 0, route, from);
@@ -133,6 +201,7 @@ static bool try_shift(qtr_refinery *r, qtr_routes *routes, const qtr_game *game,
  * with both up to the ends the tails change hands. */
 static bool try_exchange(qtr_refinery *r, qtr_routes *routes, const qtr_game *game, unsigned first, unsigned from,
                          unsigned count, unsigned second, unsigned at, unsigned other) {
+  if (!exchange_is_near(r, routes, first, from, count, second, at, other)) return false;
   if (is_told(r) && !exchange_is_promising(r, routes, first, from, count, second, at, other)) return false;
   const uint16_t *x = routes->place[first];
   const uint16_t *y = routes->place[second];
@@ -169,6 +238,7 @@ static bool search_reversals_from(qtr_refinery *r, qtr_routes *routes, const qtr
   for (unsigned to = from + 2; to <= routes->length[seeker]; to++) {
     if (is_told(r))
       reversed = qtr_pieces_join(&r->pieces, seeker, qtr_pieces_single(&r->pieces, route[to - 1]), reversed);
+    if (!reverse_is_near(r, routes, seeker, from, to)) continue;
     if (is_told(r) && !reverse_is_promising(r, routes, seeker, from, to, reversed)) continue;
     if (try_reverse(r, routes, game, seeker, from, to)) return true;
   }

@@ -15,6 +15,7 @@
 #include "quarter/game.h"
 #include "search/pieces.h"
 #include "search/play.h"
+#include "search/vicinity.h"
 
 /* Caller's memory for the search. */
 typedef struct {
@@ -24,7 +25,14 @@ typedef struct {
   uint64_t random;
   qtr_pieces pieces; /* of the routes searched */
   bool told;         /* whether they tell what moves bring */
+#if QTR_VICINITY_PLACES > 1
+  const qtr_vicinity *vicinity; /* of the game; NULL: all places are near one another */
+#endif
 } qtr_refinery;
+
+/* Begin with a refinery: moves put places beside those near them alone. NULL: beside any. The vicinity must outlive
+ * it. */
+void qtr_refine_begin(qtr_refinery *refinery, const qtr_vicinity *vicinity);
 
 /* Improve `routes` (their scores need not be set), with `rounds` of shaking; `seed` decides how they shake. A stop by
  * the mission's watch leaves the best routes found so far. */

@@ -31,6 +31,7 @@ static void time_visits(qtr_schedule *s, unsigned route) {
     const uint16_t place = s->routes.place[route][i];
     now += qtr_steps_between(board, route, node, place);
     s->when[place] = now;
+    s->at[place] = (uint16_t)i;
     node = place;
   }
 }

@@ -21,6 +21,7 @@ typedef struct {
   const qtr_game *game;
   qtr_routes routes;
   uint8_t route_of[QTR_MAX_PLACES];
+  uint16_t at[QTR_MAX_PLACES];                   /* of each place on a seeker's route: its number there */
   qtr_steps when[QTR_MAX_PLACES];                /* of each place on a route: its visit */
   double behind[QTR_MAX_PLACES];                 /* likelihood, or discounted worth, from its visit on */
   qtr_steps spare[QTR_IF_TERMS(QTR_MAX_PLACES)]; /* with an end: how much later it may be visited */

@@ -277,7 +277,7 @@ static void expect_high_bits_kept_apart(void) {
 
 static void test_greatest_keys_are_kept_apart_whatever_their_bits(void) {
   bool seen[32] = {false};
-  for (unsigned places = 1; places <= QTR_MAX_PLACES; places++) {
+  for (unsigned places = 1; places <= QTR_MAX_PLACES; places += places < 128 ? 1 : 64) {
     for (unsigned longest = 1; longest < 1u << 12; longest *= 2) {
       set_board(places, 1 + places % QTR_MAX_SEEKERS, longest);
       seen[board.keys.bits % 32] = true;

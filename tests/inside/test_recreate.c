@@ -11,11 +11,12 @@
 #include "support/terms_games.h"
 #include "unity.h"
 
-enum { SMALL = 60, TERMS = 150, ROUNDS = 2000 };
+enum { SMALL = 60, TERMS = 150, ROUNDS = 2000, MOST = QTR_MAX_PLACES < 128 ? QTR_MAX_PLACES : 128 };
 
 static qtr_mission mission;
 static qtr_travel travel;
 static qtr_game game;
+static qtr_vicinity vicinity; /* of small games: all are near one another */
 static qtr_play play;
 static qtr_routes routes;
 static qtr_recreation recreation, again;
@@ -53,7 +54,7 @@ static void expect_division(const qtr_routes *of) {
 }
 
 static void run(qtr_recreation *r, uint32_t rounds, uint64_t seed) {
-  qtr_recreation_begin(r, &game, &routes, rounds, seed);
+  qtr_recreation_begin(r, &game, &vicinity, &routes, rounds, seed);
   while (!qtr_recreation_is_over(r)) {
     qtr_recreation_go_on(r, rounds / 4);
     expect_division(&r->now);
@@ -92,7 +93,7 @@ static void test_divisions_stay_playable_and_never_lose_under_all_terms(void) {
 }
 
 static void test_the_scores_told_are_those_of_the_routes(void) {
-  scattered_make(&mission, &game, &travel, 1, 20, QTR_MAX_PLACES, QTR_MAX_SEEKERS < 3 ? QTR_MAX_SEEKERS : 3, QTR_TIME);
+  scattered_make(&mission, &game, &travel, 1, 20, MOST, QTR_MAX_SEEKERS < 3 ? QTR_MAX_SEEKERS : 3, QTR_TIME);
   begin();
   run(&recreation, ROUNDS, 1);
   for (unsigned i = 0; i < game.board.seekers; i++) {
@@ -103,13 +104,13 @@ static void test_the_scores_told_are_those_of_the_routes(void) {
 }
 
 static void test_other_routes_are_gone_on_from_and_the_best_stays(void) {
-  scattered_make(&mission, &game, &travel, 2, 20, QTR_MAX_PLACES, 2, QTR_DISCOUNTED);
+  scattered_make(&mission, &game, &travel, 2, 20, MOST, 2, QTR_DISCOUNTED);
   begin();
   run(&recreation, ROUNDS, 1);
   const double best = worth_of(&recreation.best);
   qtr_recreation_adopt(&recreation, &routes);
   TEST_ASSERT_TRUE(worth_of(&recreation.best) == best);
-  qtr_recreation_begin(&again, &game, &routes, ROUNDS, 1);
+  qtr_recreation_begin(&again, &game, &vicinity, &routes, ROUNDS, 1);
   qtr_recreation_adopt(&again, &recreation.best);
   TEST_ASSERT_TRUE(worth_of(&again.best) == best && again.found);
 }
@@ -125,10 +126,10 @@ static bool are_same(const qtr_routes *a, const qtr_routes *b) {
 }
 
 static void test_a_seed_decides_all_however_the_rounds_are_cut(void) {
-  scattered_make(&mission, &game, &travel, 3, 20, QTR_MAX_PLACES, 2, QTR_TIME);
+  scattered_make(&mission, &game, &travel, 3, 20, MOST, 2, QTR_TIME);
   begin();
   run(&recreation, ROUNDS, 7);
-  qtr_recreation_begin(&again, &game, &routes, ROUNDS, 7);
+  qtr_recreation_begin(&again, &game, &vicinity, &routes, ROUNDS, 7);
   while (!qtr_recreation_is_over(&again)) qtr_recreation_go_on(&again, 1);
   TEST_ASSERT_TRUE(are_same(&recreation.best, &again.best) && are_same(&recreation.now, &again.now));
   run(&again, ROUNDS, 8);
@@ -143,11 +144,11 @@ static bool allow(void *context) {
 }
 
 static void test_the_watch_ends_it_after_any_round_and_it_goes_on_from_there(void) {
-  scattered_make(&mission, &game, &travel, 4, 20, QTR_MAX_PLACES, 2, QTR_TIME);
+  scattered_make(&mission, &game, &travel, 4, 20, MOST, 2, QTR_TIME);
   begin();
   run(&recreation, 100, 5);
   mission.watch.go_on = allow;
-  qtr_recreation_begin(&again, &game, &routes, 100, 5);
+  qtr_recreation_begin(&again, &game, &vicinity, &routes, 100, 5);
   for (unsigned stops = 0; stops < 100; stops++) {
     allowed = stops % 3;
     qtr_recreation_go_on(&again, 100);

@@ -187,9 +187,10 @@ static void test_what_cannot_be_played(void) {
   refuse(MAP ONE PLACES "rule: paper\nscan_seconds: 1\n", "", "the paper's rule takes no classes", "rule: free");
   refuse(MAP PLACES "scan_seconds: 1\nclasses: {a: {rough: false}}\nrobots: [{column: 6, row: 1, class: a}]\n", "",
          "seeker 0 (m.yaml:10) starts on rough ground, which class a may not enter", "rough: true");
-  refuse(MAP ONE "scan_seconds: 1\nplaces: [{column: 2, row: 0, detection: 0.1, looks: 255}, {column: 3, row: 0, "
-                 "detection: 0.1, looks: 255}]\n",
-         "", "2 places with their looks are 510", "QTR_MAX_PLACES");
+  refuse(MAP ONE
+         "scan_seconds: 1\ndetection: 0.1\nlooks: 255\nplaces: [{column: 1, row: 0}, {column: 2, row: 0}, {column: "
+         "3, row: 0}, {column: 4, row: 0}, {column: 5, row: 0}]\n",
+         "", "5 places with their looks are 1275", "QTR_MAX_PLACES");
   refuse(MAP ONE PLACES "scan_seconds: 1\nspeed: 0.0001\n", "", "takes 20000 s for a cell of 2 m", "mend its speed");
 }
 

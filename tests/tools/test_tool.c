@@ -325,9 +325,9 @@ static void test_bad_missions(void) {
 }
 
 static void test_more_than_the_build_holds(void) {
-  static char drawing[1024] = "S";
-  memset(drawing + 1, '1', 200);
-  drawing[201] = '\0';
+  static char drawing[2048] = "S";
+  memset(drawing + 1, '1', 1100);
+  drawing[1101] = '\0';
   expect_bad_drawing(drawing, "QTR_MAX_PLACES");
   run_tool(&result, "learn small.txt --robots 99");
   expect_refusal("QTR_MAX_SEEKERS", "--robots");
