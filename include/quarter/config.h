@@ -165,6 +165,16 @@
 /* Learner: what is known at a time of the bound as a function of its prices. */
 #define QTR_MAX_CUTS (QTR_MAX_PLACES < 64 ? QTR_MAX_PLACES + 1 : 64)
 
+/* Learner: bytes of a qtr_learner_memory for routes within the gap (quarter/learner.h), 32 to 72 for each of those begun;
+ * a caller's own block may be as large as it likes. 0: none are listed. */
+#ifndef QTR_ROUTE_BYTES
+#ifdef QTR_PROFILE_MCU
+#define QTR_ROUTE_BYTES 0
+#else
+#define QTR_ROUTE_BYTES (192ul << 20)
+#endif
+#endif
+
 /* Learner: powers of gamma that are kept ready, 8 bytes each; later ones are computed, which takes longer. Other sizes
  * may differ in the last bit of what is discounted. */
 #ifndef QTR_OBJECTIVE_POWERS
@@ -241,6 +251,7 @@ typedef uint32_t qtr_steps;
               ((uint32_t)(QTR_MAX_CLASSES) * 2654435789u) ^ ((uint32_t)(QTR_TERMS) * 2246822543u) ^                    \
               ((uint32_t)(QTR_BOUND_SLOTS) * 374761393u) ^ ((uint32_t)(QTR_MAX_SPOT_SIZE) * 1013904223u) ^             \
               ((uint32_t)(QTR_MAX_REGIONS) * 2246822507u) ^ ((uint32_t)(QTR_MAX_REGION_SIZE) * 3266489909u) ^          \
-              ((uint32_t)(QTR_MAX_REGION_DIAMETER) * 2654435769u) ^ ((uint32_t)(QTR_OBJECTIVE_POWERS) * 2147483659u)))
+              ((uint32_t)(QTR_MAX_REGION_DIAMETER) * 2654435769u) ^ ((uint32_t)(QTR_OBJECTIVE_POWERS) * 2147483659u) ^ \
+              ((uint32_t)(QTR_ROUTE_BYTES) * 3266489891u)))
 
 #endif

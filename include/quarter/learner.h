@@ -103,6 +103,8 @@ typedef struct {
   size_t work_bytes;  /* qtr_learner_bytes() at the least */
   uint32_t *table;    /* the Q-table */
   size_t table_words; /* QTR_QTABLE_LEAST_WORDS at the least; more than QTR_QTABLE_WORDS are not used */
+  void *routes; /* routes within the gap, aligned as for a uint64_t; NULL: none are listed. Certified setting, on */
+  size_t route_bytes; /* the ground: the larger it is, the larger the gaps that are closed at once */
 } qtr_learner_blocks;
 
 /* Bytes of the workspace that learning a game takes, on whatever aggregate of it. */
@@ -130,10 +132,12 @@ typedef struct {
   uint64_t aggregate[(QTR_ENVIRONMENT_REGIONS_BYTES + 7) / 8];
   uint64_t work[(QTR_LEARNER_BYTES + 7) / 8];
   uint32_t table[QTR_QTABLE_WORDS];
+  uint64_t routes[(QTR_ROUTE_BYTES + 15) / 8];
 } qtr_learner_memory;
 
 /* A learner's own, as the initialiser of a qtr_learner_blocks. */
-#define QTR_LEARNER_BLOCKS(memory) {(memory).work, sizeof(memory).work, (memory).table, QTR_QTABLE_WORDS}
+#define QTR_LEARNER_BLOCKS(memory)                                                                                     \
+  {(memory).work, sizeof(memory).work, (memory).table, QTR_QTABLE_WORDS, (memory).routes, QTR_ROUTE_BYTES}
 
 /* ---- learning ---- */
 

@@ -33,6 +33,8 @@ typedef struct {
 /* What a learner is at. The paper setting has no use for an aggregate's prices. */
 enum qtr_phase { QTR_PHASE_GROUND_PRICES = 0, QTR_PHASE_AGGREGATE_PRICES = 1, QTR_PHASE_EPISODES = 2 };
 
+typedef struct qtr_tail qtr_tail; /* learn/tail.h */
+
 struct qtr_learner {
   const qtr_game *game;
   const qtr_environment *ground;      /* the game itself */
@@ -59,6 +61,7 @@ struct qtr_learner {
   uint8_t records[QTR_MAX_CHOICES * QTR_RECORD_BYTES]; /* for the export */
   qtr_bound bound;
   qtr_qtable table;
+  qtr_tail *tail; /* NULL: there is no block for it */
 };
 
 #endif

@@ -10,6 +10,7 @@
 #include "learn/exploring.h"
 #include "learn/planning.h"
 #include "learn/role.h"
+#include "learn/tail.h"
 #include "model/rounding.h"
 #include "model/settings.h"
 #include "quarter/status.h"
@@ -88,6 +89,7 @@ size_t qtr_learner_bytes(const qtr_game *game) {
 }
 
 static int check_blocks(const qtr_learner_blocks *blocks, const qtr_game *game) {
+  if ((uintptr_t)blocks->routes % sizeof(uint64_t) != 0) return QTR_ERR_ARGUMENT;
   if (blocks->table == NULL || blocks->table_words < QTR_QTABLE_LEAST_WORDS) return QTR_ERR_SPACE;
   return block_check(blocks->work, blocks->work_bytes, qtr_learner_bytes(game));
 }
@@ -120,6 +122,7 @@ int qtr_learner_init_built(qtr_learner **made, const qtr_learner_blocks *blocks,
   learner->max_q = 0.0;
   learner->phase = QTR_PHASE_GROUND_PRICES;
   qtr_planning_init(learner);
+  qtr_tail_init(learner, blocks->routes, blocks->route_bytes);
   play_first(learner);
   qtr_qtable_init(&learner->table, blocks->table, blocks->table_words, &learner->environment->keys,
                   !learner_is_paper(learner) && config->gap < QTR_FLOAT_GAP);
@@ -191,7 +194,8 @@ enum qtr_learning qtr_learner_step(qtr_learner *learner) {
   if (!make_room(learner)) return QTR_LEARNING;
   if (learner_is_paper(learner)) return qtr_exploring_step(learner);
   const enum qtr_learning verdict = qtr_certificate_verdict(learner);
-  return verdict != QTR_LEARNING ? verdict : qtr_certified_step(learner);
+  if (verdict != QTR_LEARNING) return verdict;
+  return qtr_tail_step(learner) ? qtr_certificate_verdict(learner) : qtr_certified_step(learner);
 }
 
 const qtr_play *qtr_learner_best(const qtr_learner *learner) {

@@ -6,8 +6,8 @@
 #include "quarter/status.h"
 #include "robot/board.h"
 
-#define LABELS_A_HEAD 2u  /* that the block has room for */
-#define HEADS_A_LABEL 4u  /* in use, of the layer that is grown from */
+#define LABELS_A_HEAD 2u /* that the block has room for */
+#define HEADS_A_LABEL 4u /* in use, of the layer that is grown from */
 #define LEAST_HEADS 256u
 
 enum label_state { LABEL_OPEN = 0, LABEL_BEATEN = 1, LABEL_ROUTE = 2 };
@@ -29,11 +29,14 @@ static bool is_of_squad(const qtr_squad *squad, const qtr_squad *other) {
 static void list_squads(qtr_pool *pool) {
   const qtr_board *board = &pool->bound->game->board;
   pool->squads = 0;
+  pool->upper = qtr_objective_left(&pool->bound->game->objective, 1.0);
+  for (unsigned place = 0; place < board->places; place++) pool->upper += pool->bound->price[place];
   for (unsigned i = 0; i < board->seekers; i++) {
     int visits[QTR_MAX_PLACES] = {0};
     const qtr_squad own = {gains_of(pool)->kind_of[i], 1, (uint16_t)(board->places + board->start_of[i]),
                            qtr_board_ready(board, i), qtr_gains_walk(gains_of(pool), i, visits)};
     unsigned squad = 0;
+    pool->upper += own.most;
     while (squad < pool->squads && !is_of_squad(&pool->squad[squad], &own)) squad++;
     pool->squad_of[i] = (uint8_t)squad;
     if (squad < pool->squads)
@@ -180,11 +183,11 @@ static void lay_out(qtr_pool *pool, void *block, size_t bytes) {
 
 void qtr_pool_begin(qtr_pool *pool, void *block, size_t bytes, const qtr_bound *bound, double target) {
   pool->bound = bound;
-  pool->gap = bound->upper - target;
   pool->words = (places_of(pool) + 31) / 32;
   pool->stride = (uint32_t)(offsetof(qtr_label, set) + bytes_of_sets(pool));
   lay_out(pool, block, bytes);
   list_squads(pool);
+  pool->gap = pool->upper - target;
   pool->labels = pool->routes = 0;
   pool->heads = LEAST_HEADS;
   memset(pool->head, 0xFF, pool->heads * sizeof pool->head[0]);
@@ -216,7 +219,8 @@ double qtr_pool_worth(const qtr_pool *pool, uint32_t label) {
 
 unsigned qtr_pool_places(const qtr_pool *pool, uint32_t label, uint16_t *place) {
   unsigned count = 0, left;
-  for (uint32_t i = label; qtr_pool_label(pool, i)->before != QTR_NO_LABEL; i = qtr_pool_label(pool, i)->before) count++;
+  for (uint32_t i = label; qtr_pool_label(pool, i)->before != QTR_NO_LABEL; i = qtr_pool_label(pool, i)->before)
+    count++;
   left = count;
   for (uint32_t i = label; left > 0; i = qtr_pool_label(pool, i)->before) place[--left] = qtr_pool_label(pool, i)->node;
   return count;

@@ -43,7 +43,8 @@ enum qtr_listing { QTR_LISTING = 0, QTR_LISTED = 1, QTR_POOL_FULL = 2 };
 
 typedef struct {
   const qtr_bound *bound;
-  double gap;
+  double upper;   /* the bound on all games, as the prices in force have it */
+  double gap;     /* from there to the target */
   uint32_t words; /* of a label's set */
   uint32_t squads;
   qtr_squad squad[QTR_MAX_SEEKERS];

@@ -9,13 +9,14 @@
 
 #define ROW_ROOM (QTR_SELECTION_ACTIVE * 32u) /* ones of the active columns */
 #define PIVOTS_A_STEP 64u
-#define BOX 0.1            /* of the mean price: how far prices may go from where they were good, at first */
-#define LEAST_GAIN 1e-7    /* of the gap: what is less is nothing */
-#define LEAST_LEVEL 1e-4   /* of a column in the basis: what is less is none, or rows that are shifted */
+#define BOX 0.1          /* of the scale: how far prices may go from where they were good, at first */
+#define LEAST_GAIN 1e-7  /* of the gap: what is less is nothing */
+#define ROUNDING 1e-12   /* of the scale */
+#define LEAST_LEVEL 1e-4 /* of a column in the basis: what is less is none, or rows that are shifted */
 #define TRIPLES_A_ROUND 24u
-#define ROUND_DROP 0.02    /* of the gap, that a round of triples is to bring */
+#define ROUND_DROP 0.02 /* of the gap, that a round of triples is to bring */
 #define FRUITLESS_MOST 3u
-#define PENALTY 4.0        /* times the mean price, of a column that is ruled out; and times that where it stays */
+#define PENALTY 4.0 /* times the scale, of a column that is ruled out; and times that where it stays */
 
 enum phase { PHASE_LOOK = 0, PHASE_ENTER = 1, PHASE_OPTIMAL = 2, PHASE_STUCK = 3 };
 
@@ -31,14 +32,18 @@ static const qtr_label *label_of(const qtr_selection *s, uint32_t choice) {
   return qtr_pool_label(s->pool, s->choice[choice].label);
 }
 
-static double gap_of(const qtr_selection *s) {
-  return s->upper - s->target;
+/* What a place counts for, about: prices may all be 0. */
+static double scale_of(const qtr_selection *s) {
+  double sum = fabs(s->upper - s->left);
+  for (unsigned place = 0; place < places_of(s); place++) sum += fabs(bound_of(s)->price[place]);
+  return sum > 0.0 ? sum / (double)places_of(s) : 1.0;
 }
 
-static double mean_price(const qtr_selection *s) {
-  double sum = 0.0;
-  for (unsigned place = 0; place < places_of(s); place++) sum += fabs(bound_of(s)->price[place]);
-  return sum / (double)places_of(s);
+/* Of a column: what is less is nothing. The gap is as wide as it likes where no game worth the name is known. */
+static double least_gain(const qtr_selection *s) {
+  const double gap = s->upper - s->target;
+  const double gain = LEAST_GAIN * (gap < s->scale ? gap : s->scale);
+  return gain > ROUNDING * s->scale ? gain : ROUNDING * s->scale;
 }
 
 /* ---- rows: places, squads, triples ---- */
@@ -71,7 +76,7 @@ static void column_of(const void *context, int32_t number, qtr_column *column) {
 
 static void add_rows(qtr_selection *s) {
   const bool needs_all = qtr_objective_needs_all(&bound_of(s)->game->objective);
-  const double box = BOX * mean_price(s);
+  const double box = BOX * s->scale;
   for (unsigned place = 0; place < places_of(s); place++) {
     const double price = bound_of(s)->price[place];
     qtr_simplex_add_row(&s->simplex, 1.0, price - box, price + box, !needs_all);
@@ -117,10 +122,11 @@ bool qtr_selection_begin(qtr_selection *s, const qtr_pool *pool, void *block, si
   s->pool = pool;
   if (!lay_out(s, block, bytes)) return false;
   s->target = target;
-  s->upper = s->node_upper = s->round_upper = bound_of(s)->upper;
+  s->upper = s->node_upper = s->round_upper = pool->upper;
   s->left = qtr_objective_left(&bound_of(s)->game->objective, 1.0);
   s->triples = s->fruitless = s->actives = s->depth = 0;
-  s->penalty = PENALTY * mean_price(s);
+  s->scale = scale_of(s);
+  s->penalty = PENALTY * s->scale;
   list_choices(s);
   add_rows(s);
   qtr_simplex_refactor(&s->simplex);
@@ -207,7 +213,7 @@ static void drop(qtr_selection *s, const double *most) {
 static void list_active(qtr_selection *s) {
   double gain[QTR_SELECTION_ACTIVE];
   uint32_t best[QTR_SELECTION_ACTIVE];
-  const double least = LEAST_GAIN * gap_of(s);
+  const double least = least_gain(s);
   for (uint32_t i = 0; i < QTR_SELECTION_ACTIVE; i++) gain[i] = least;
   for (uint32_t i = 0; i < s->choices; i++) {
     const double own = s->choice[i].net - s->price[row_of_squad(s, label_of(s, i)->squad)];
@@ -251,7 +257,7 @@ static qtr_column active_column(const qtr_selection *s, uint32_t i) {
 
 /* The one with the greatest gain enters. False: none has any. */
 static bool enter_best(qtr_selection *s) {
-  const double least = LEAST_GAIN * gap_of(s);
+  const double least = least_gain(s);
   double most = least;
   uint32_t best = s->actives;
   for (uint32_t i = 0; i < s->actives; i++) {
@@ -314,7 +320,7 @@ static bool add_triples(qtr_selection *s, const qtr_mixture *mixture) {
   const unsigned room = QTR_MOST_TRIPLES - s->triples;
   const unsigned found = qtr_triples_broken(mixture, places_of(s), &s->triple[s->triples],
                                             room < TRIPLES_A_ROUND ? room : TRIPLES_A_ROUND);
-  for (unsigned i = 0; i < found; i++) qtr_simplex_add_row(&s->simplex, 1.0, 0.0, mean_price(s), true);
+  for (unsigned i = 0; i < found; i++) qtr_simplex_add_row(&s->simplex, 1.0, 0.0, s->scale, true);
   s->triples += found;
   qtr_simplex_refactor(&s->simplex);
   return found > 0;
@@ -439,10 +445,10 @@ static enum qtr_selecting use_mixture(qtr_selection *s) {
 
 static enum qtr_selecting step(qtr_selection *s) {
   switch (s->phase) {
-    case PHASE_LOOK: look_at_all(s); return QTR_SELECTING;
-    case PHASE_ENTER: enter_some(s); return QTR_SELECTING;
-    case PHASE_OPTIMAL: return use_mixture(s);
-    default: return QTR_SELECTION_STUCK;
+  case PHASE_LOOK: look_at_all(s); return QTR_SELECTING;
+  case PHASE_ENTER: enter_some(s); return QTR_SELECTING;
+  case PHASE_OPTIMAL: return use_mixture(s);
+  default: return QTR_SELECTION_STUCK;
   }
 }
 

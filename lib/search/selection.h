@@ -38,7 +38,7 @@ typedef struct {
 
 enum qtr_selecting {
   QTR_SELECTING = 0,
-  QTR_SELECTED = 1,      /* no game out of the routes is worth more than the target */
+  QTR_SELECTED = 1,       /* no game out of the routes is worth more than the target */
   QTR_SELECTION_GAME = 2, /* one may be: see qtr_selection_routes(), then go on */
   QTR_SELECTION_STUCK = 3 /* nothing more can be told */
 };
@@ -47,7 +47,7 @@ typedef struct {
   const qtr_pool *pool;
   double target, upper; /* on all games that the routes make */
   double node_upper;    /* on those of the branches at hand */
-  double left;
+  double left, scale;
   qtr_choice *choice;
   uint32_t choices;
   qtr_simplex simplex;

@@ -10,7 +10,8 @@
 #define LEAST_PIVOT 1e-7
 #define PIVOTS_MOST 100u /* until the inverse is worked out anew */
 #define WIDENING 3.0
-#define SHIFT 1e-6 /* of right-hand sides, at most */
+#define ROOMY 1000.0 /* times the widest room that a price had at first */
+#define SHIFT 1e-6   /* of right-hand sides, at most */
 
 /* ---- elastic columns: 2 a row ---- */
 
@@ -43,6 +44,7 @@ void qtr_simplex_init(qtr_simplex *simplex, void *block, uint32_t rows, qtr_colu
   uint8_t *left = block;
   simplex->rows = simplex->pivots = 0;
   simplex->rows_most = rows;
+  simplex->widest = 0.0;
   simplex->columns = columns;
   simplex->context = context;
   simplex->inverse = block_cut(&left, (size_t)rows * rows * sizeof(double));
@@ -72,6 +74,7 @@ void qtr_simplex_add_row(qtr_simplex *simplex, double right, double least, doubl
   simplex->least[row] = has_slack && least < 0.0 ? 0.0 : least;
   simplex->most[row] = most;
   simplex->has_slack[row] = has_slack;
+  if (most - simplex->least[row] > simplex->widest) simplex->widest = most - simplex->least[row];
   simplex->basis[row] = elastic_of(row, false);
 }
 
@@ -121,7 +124,8 @@ static void find_change(qtr_simplex *simplex, const qtr_column *column) {
 static void find_elastic_change(qtr_simplex *simplex, int32_t elastic) {
   const double *inverse = inverse_column(simplex, row_of(elastic));
   const double sign = is_over(elastic) ? -1.0 : 1.0;
-  for (uint32_t position = 0; position < simplex->rows; position++) simplex->change[position] = sign * inverse[position];
+  for (uint32_t position = 0; position < simplex->rows; position++)
+    simplex->change[position] = sign * inverse[position];
 }
 
 /* The column that `change` is of takes the place of the one at `position`. */
@@ -194,6 +198,20 @@ static double gain_of_elastic(const qtr_simplex *simplex, int32_t elastic) {
   return worth_of_elastic(simplex, elastic) + (is_over(elastic) ? price : -price);
 }
 
+static bool widen(qtr_simplex *simplex, int32_t elastic) {
+  const uint32_t row = row_of(elastic);
+  const double more = WIDENING * (simplex->most[row] - simplex->least[row]);
+  if (is_over(elastic)) {
+    simplex->most[row] += more;
+    return true;
+  }
+  if (simplex->has_slack[row] && simplex->least[row] <= 0.0) return false;
+  simplex->least[row] -= more;
+  if (simplex->has_slack[row] && simplex->least[row] < 0.0) simplex->least[row] = 0.0;
+  return true;
+}
+
+/* One that may grow without end, for what its row can bring, is given room as well. */
 bool qtr_simplex_enter_elastic(qtr_simplex *simplex, double least) {
   int32_t best = 0;
   for (uint32_t i = 0; i < 2 * simplex->rows; i++) {
@@ -204,7 +222,7 @@ bool qtr_simplex_enter_elastic(qtr_simplex *simplex, double least) {
   }
   if (best == 0) return false;
   find_elastic_change(simplex, best);
-  return enter(simplex, best, worth_of_elastic(simplex, best), least);
+  return enter(simplex, best, worth_of_elastic(simplex, best), least) || widen(simplex, best);
 }
 
 /* ---- the basis worked out anew ---- */
@@ -303,23 +321,19 @@ void qtr_simplex_refactor(qtr_simplex *simplex) {
 
 /* ---- elastic columns given room ---- */
 
-static bool widen(qtr_simplex *simplex, int32_t elastic) {
-  const uint32_t row = row_of(elastic);
-  const double more = WIDENING * (simplex->most[row] - simplex->least[row]);
-  if (is_over(elastic)) {
-    simplex->most[row] += more;
-    return true;
-  }
-  if (simplex->has_slack[row] && simplex->least[row] <= 0.0) return false;
-  simplex->least[row] -= more;
-  if (simplex->has_slack[row] && simplex->least[row] < 0.0) simplex->least[row] = 0.0;
-  return true;
+/* One at a level of next to nothing holds its price where it is, too; but where the price may be anything, there must be
+ * an end to it. */
+static bool is_narrow(const qtr_simplex *simplex, int32_t elastic) {
+  return simplex->most[row_of(elastic)] - simplex->least[row_of(elastic)] < ROOMY * simplex->widest;
 }
 
 bool qtr_simplex_widen(qtr_simplex *simplex, double least) {
   bool widened = false;
-  for (uint32_t i = 0; i < simplex->rows; i++)
-    if (simplex->basis[i] < 0 && simplex->level[i] > least && widen(simplex, simplex->basis[i])) widened = true;
+  for (uint32_t i = 0; i < simplex->rows; i++) {
+    const int32_t elastic = simplex->basis[i];
+    if (elastic < 0 && (simplex->level[i] > least || is_narrow(simplex, elastic)) && widen(simplex, elastic))
+      widened = true;
+  }
   if (!widened) return false;
   find_worths(simplex);
   find_prices(simplex);

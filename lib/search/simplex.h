@@ -31,6 +31,7 @@ typedef struct {
   uint32_t rows, rows_most;
   qtr_columns columns;
   const void *context;
+  double widest;   /* room that a price had at first */
   uint32_t pivots; /* since the inverse was worked out anew */
   double *inverse; /* of the basis: columns one behind the other, rows_most apart */
   double *price;   /* of each row */
@@ -39,8 +40,8 @@ typedef struct {
   bool *has_slack;      /* its least is never below 0 */
   double *level;        /* of each column in the basis */
   double *worth;
-  int32_t *basis;       /* 0 and up: the caller's columns; below: elastic ones */
-  double *change;       /* scratch: a row each */
+  int32_t *basis; /* 0 and up: the caller's columns; below: elastic ones */
+  double *change; /* scratch: a row each */
   int32_t *order;
   uint16_t *one;
 } qtr_simplex;
@@ -69,11 +70,11 @@ double qtr_simplex_gain(const qtr_simplex *simplex, const qtr_column *column);
 /* Let a column of the caller's with a gain enter the basis. False: it cannot, numerically. */
 bool qtr_simplex_enter(qtr_simplex *simplex, int32_t number, const qtr_column *column);
 
-/* Let the elastic column with the greatest gain enter. False: there is none with more than `least`. */
+/* Let the elastic column with the greatest gain enter, or give it room. False: there is none with more than `least`. */
 bool qtr_simplex_enter_elastic(qtr_simplex *simplex, double least);
 
-/* Give room to the prices whose elastic columns are above `least` in the basis. False: there are none, and what is in
- * the basis solves the programme. */
+/* Give room to the prices whose elastic columns are in the basis, above a level of `least` without end. False: there are
+ * none, and what is in the basis solves the programme. */
 bool qtr_simplex_widen(qtr_simplex *simplex, double least);
 
 #endif

@@ -83,7 +83,7 @@ static void test_learner_stays_in_its_blocks(void) {
   uint8_t *work = take(bytes);
   uint8_t *table = take(words * sizeof(uint32_t));
   TEST_ASSERT_LESS_OR_EQUAL(QTR_LEARNER_BYTES, bytes);
-  const qtr_learner_blocks right = {work, bytes, (uint32_t *)(void *)table, words};
+  const qtr_learner_blocks right = {work, bytes, (uint32_t *)(void *)table, words, NULL, 0};
   qtr_learner_blocks wrong[5] = {right, right, right, right, right};
   wrong[0].work_bytes--;
   wrong[1].work = NULL;

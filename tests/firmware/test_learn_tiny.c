@@ -78,7 +78,7 @@ static uint32_t learn(unsigned seed, int objective) {
   qtr_learner_config config;
   qtr_certificate certificate;
   char note[40];
-  const qtr_learner_blocks blocks = {ram.work.bytes, sizeof ram.work.bytes, ram.table, QTR_QTABLE_WORDS};
+  const qtr_learner_blocks blocks = {ram.work.bytes, sizeof ram.work.bytes, ram.table, QTR_QTABLE_WORDS, NULL, 0};
   snprintf(note, sizeof note, "map %u, objective %d", seed, objective);
   scattered_make(&ram.mission, &ram.game, &ram.work.travel, seed, SIDE, PLACES, SEEKERS, objective);
   qtr_learner_config_default(&config);

@@ -23,6 +23,7 @@ static brute_game brute;
 
 void setUp(void) {
   qtr_learner_config_default(&config);
+  learning_by_episodes = false;
   snprintf(case_note, sizeof case_note, "by hand");
 }
 
@@ -146,6 +147,7 @@ static void test_learner_finds_and_certifies_the_optimum(void) {
   for (unsigned number = 0; number < 400; number++) {
     test_random random = random_case("small games", number);
     qtr_certificate certificate;
+    learning_by_episodes = number % 2 != 0;
     random_game(&random, 9, 7);
     begin();
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_CERTIFIED, learn(&certificate), case_note);
@@ -160,6 +162,7 @@ static void test_learning_from_a_weak_bound_ends_at_the_optimum_too(void) {
     test_random random = random_case("weak bound", number);
     qtr_certificate certificate;
     even_game(&random);
+    learning_by_episodes = number % 4 != 0;
     begin();
     weaken(&random);
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_CERTIFIED, learn(&certificate), case_note);
@@ -176,6 +179,7 @@ static void test_worth_that_underflows_leaves_the_certificate_true(void) {
   for (unsigned number = 0; number < 200; number++) {
     test_random random = random_case("steep discount", number);
     qtr_certificate certificate;
+    learning_by_episodes = number % 2 != 0;
     mission_random(&mission, &random, (mission_size){random_chance(&random, 50) ? 60 : 8, 3, 5, 2});
     for (unsigned cell = 0; cell < (unsigned)mission.columns * mission.rows; cell++)
       if (mission.cost[cell] > 0 && random_chance(&random, 50))
@@ -201,6 +205,7 @@ static void test_long_corridors_are_certified(void) {
   for (unsigned number = 0; number < 60; number++) {
     test_random random = random_case("corridors", number);
     qtr_certificate certificate;
+    learning_by_episodes = number % 2 != 0;
     mission_random(&mission, &random, (mission_size){100, 1, 5, 2});
     for (unsigned cell = 0; cell < mission.columns; cell++)
       mission.cost[cell] = random_chance(&random, 30) ? 1 : (uint8_t)random_in(&random, 200, 255);
@@ -227,6 +232,7 @@ static void test_full_table_ends_with_a_gap_that_is_true(void) {
   for (unsigned number = 0; number < 60; number++) {
     test_random random = random_case("small table", number);
     qtr_certificate certificate;
+    learning_by_episodes = true;
     even_game(&random);
     begin();
     weaken(&random);
@@ -248,6 +254,7 @@ static void test_wide_gap_stops_sooner_and_within_it(void) {
   for (unsigned number = 0; number < 40; number++) {
     test_random random = random_case("gaps", number);
     qtr_certificate certificate;
+    learning_by_episodes = true;
     even_game(&random);
     const double optimum = brute_optimum(&brute);
     config.gap = 0.2;
@@ -270,6 +277,7 @@ static void test_gap_of_zero_is_closed_to_the_last_bits(void) {
   for (unsigned number = 0; number < 100; number++) {
     test_random random = random_case("no gap", number);
     qtr_certificate certificate;
+    learning_by_episodes = number % 2 != 0;
     random_game(&random, 9, 7);
     config.gap = 0.0;
     begin();
@@ -285,6 +293,7 @@ static void test_few_price_steps_leave_the_rest_to_games(void) {
   for (unsigned number = 0; number < 100; number++) {
     test_random random = random_case("few prices", number);
     qtr_certificate certificate;
+    learning_by_episodes = true;
     random_game(&random, 9, 7);
     config.price_steps = 1 + number % 20;
     begin();
@@ -315,6 +324,7 @@ static bool say(void *answer) {
 }
 
 static void test_a_stop_while_the_table_grows_is_no_loss(void) {
+  learning_by_episodes = true;
   qtr_certificate undisturbed;
   qtr_certificate stopped;
   bool may_go_on = true;
@@ -350,6 +360,7 @@ static void test_a_stop_while_the_table_grows_is_no_loss(void) {
  * The first episode goes left, the better way, and is backed up from its end (Eq. 4.7):
  * Q(right) = 5 * 0.99^4, Q(left) = 5 * 0.99^1 + 0.99^2 * Q(right). */
 static void test_first_episode_backs_up_as_in_the_textbook(void) {
+  learning_by_episodes = true;
   const double right = 5.0 * pow(0.99, 4);
   const double left = 5.0 * 0.99 + 0.99 * 0.99 * right;
   qtr_certificate certificate;

@@ -30,6 +30,7 @@ void tearDown(void) {
 
 static void begin(unsigned seed, unsigned features) {
   terms_game_make(&mission, seed, features);
+  learning_by_episodes = seed % 3 == 0;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_mission_check(&mission, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &travel), case_note);

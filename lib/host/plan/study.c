@@ -17,6 +17,7 @@ void study_drop(study *s) {
   memory_drop(&s->ground_block);
   memory_drop(&s->aggregate_block);
   memory_drop(&s->work);
+  memory_drop(&s->routes);
   memory_drop(&s->table);
   free(s->regions);
   free(s);
@@ -61,11 +62,13 @@ static int make_aggregate(study *s, const aggregate_config *how, fault *why) {
 static int take_blocks(study *s, fault *why) {
   if (memory_need(&s->ground_block, qtr_environment_bytes(s->p.game, NULL), why) != 0) return -1;
   if (memory_need(&s->work, qtr_learner_bytes(s->p.game), why) != 0) return -1;
+  if (memory_need(&s->routes, QTR_ROUTE_BYTES, why) != 0) return -1;
   return memory_need(&s->table, TABLE_FIRST_WORDS * sizeof(uint32_t), why);
 }
 
 static int make_learner(study *s, const qtr_learner_config *config) {
-  const qtr_learner_blocks blocks = {s->work.at, s->work.bytes, s->table.at, s->table.bytes / sizeof(uint32_t)};
+  const qtr_learner_blocks blocks = {s->work.at,   s->work.bytes,  s->table.at, s->table.bytes / sizeof(uint32_t),
+                                     s->routes.at, s->routes.bytes};
   s->cramped = false;
   return qtr_learner_init(&s->learner, &blocks, s->ground, s->aggregated ? s->aggregate : NULL, config);
 }

@@ -18,7 +18,7 @@ typedef struct {
   bool measuring;  /* an aggregate's own best policy is asked for, without search on the ground beside it */
   bool aggregated; /* it is learnt on the aggregate: one was asked for, and made before a stop */
   bool cramped;    /* there was no memory for a larger Q-table: it refuses what it cannot hold */
-  memory_block ground_block, aggregate_block, work, table; /* in which these stand */
+  memory_block ground_block, aggregate_block, work, table, routes; /* in which these stand */
 } study;
 
 /* A study with no problem yet, for study_drop(). NULL with *why set. */

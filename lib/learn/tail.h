@@ -1,0 +1,19 @@
+/* The rest of the gap: all routes of games that are better than the best one known, listed (search/pool.h), and the best
+ * game chosen out of them (search/selection.h). What prices leave open by some tenths of a percent is closed so, where
+ * the routes can be listed; else episodes go on, with the next try behind as many of them as it is worth.
+ */
+#ifndef QUARTER_LEARN_TAIL_H
+#define QUARTER_LEARN_TAIL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "learn/learner.h"
+
+/* Take over the block, aligned as for a uint64_t; one that is too small, or none, is not used. */
+void qtr_tail_init(qtr_learner *learner, void *block, size_t bytes);
+
+/* Go on for a bounded amount of work. False: there is nothing to do now, and an episode is next. */
+bool qtr_tail_step(qtr_learner *learner);
+
+#endif
