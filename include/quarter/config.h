@@ -165,8 +165,8 @@
 /* Learner: what is known at a time of the bound as a function of its prices. */
 #define QTR_MAX_CUTS (QTR_MAX_PLACES < 64 ? QTR_MAX_PLACES + 1 : 64)
 
-/* Learner: bytes of a qtr_learner_memory for routes within the gap (quarter/learner.h), 32 to 72 for each of those begun;
- * a caller's own block may be as large as it likes. 0: none are listed. */
+/* Learner: bytes of a qtr_learner_memory for routes within the gap (quarter/learner.h), 32 to 72 for each of those
+ * begun; a caller's own block may be as large as it likes. 0: none are listed. */
 #ifndef QTR_ROUTE_BYTES
 #ifdef QTR_PROFILE_MCU
 #define QTR_ROUTE_BYTES 0

@@ -103,12 +103,15 @@ typedef struct {
   size_t work_bytes;  /* qtr_learner_bytes() at the least */
   uint32_t *table;    /* the Q-table */
   size_t table_words; /* QTR_QTABLE_LEAST_WORDS at the least; more than QTR_QTABLE_WORDS are not used */
-  void *routes; /* routes within the gap, aligned as for a uint64_t; NULL: none are listed. Certified setting, on */
-  size_t route_bytes; /* the ground: the larger it is, the larger the gaps that are closed at once */
+  void *routes;       /* for routes within the gap, aligned as for a uint64_t; NULL: none are listed */
+  size_t route_bytes; /* the larger, the wider the gaps that are closed at once; qtr_learner_route_bytes() */
 } qtr_learner_blocks;
 
 /* Bytes of the workspace that learning a game takes, on whatever aggregate of it. */
 size_t qtr_learner_bytes(const qtr_game *game);
+
+/* Bytes for its routes, as far as they are likely to be of use; never more than QTR_ROUTE_BYTES. */
+size_t qtr_learner_route_bytes(const qtr_game *game);
 
 /* What ruin and recreate takes of it. */
 #define QTR_RECREATION_BYTES                                                                                           \

@@ -88,6 +88,14 @@ size_t qtr_learner_bytes(const qtr_game *game) {
   return sizeof(qtr_learner) + qtr_gains_bytes(game);
 }
 
+#define ROUTE_BYTES_A_PAIR (1u << 16) /* of places */
+
+size_t qtr_learner_route_bytes(const qtr_game *game) {
+  const size_t places = game->board.places;
+  const size_t useful = places * places * ROUTE_BYTES_A_PAIR;
+  return useful > QTR_ROUTE_BYTES ? QTR_ROUTE_BYTES : useful;
+}
+
 static int check_blocks(const qtr_learner_blocks *blocks, const qtr_game *game) {
   if ((uintptr_t)blocks->routes % sizeof(uint64_t) != 0) return QTR_ERR_ARGUMENT;
   if (blocks->table == NULL || blocks->table_words < QTR_QTABLE_LEAST_WORDS) return QTR_ERR_SPACE;

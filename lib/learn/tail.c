@@ -11,6 +11,7 @@
 #define FIRST_LABELS (1u << 17) /* of the first try; each one that fails is followed by one with four times as many, */
 #define FIRST_EPISODES 64u      /* and four times as many episodes */
 #define LABELS_A_STEP 4096u
+#define LEAST_GAP 1e-8 /* what a linear programme can tell */
 
 enum phase { TAIL_WAITS = 0, TAIL_LISTS = 1, TAIL_SELECTS = 2, TAIL_IS_OVER = 3 };
 
@@ -35,9 +36,11 @@ void qtr_tail_init(qtr_learner *learner, void *block, size_t bytes) {
   learner->tail->bytes = bytes - sizeof(qtr_tail);
 }
 
-/* Half of the gap asked for is enough to be closed: the other half takes up what rounding adds. */
+/* All of the gap is closed but for what rounding may add, and never less than half of the gap asked for. */
 static double target_of(const qtr_learner *learner) {
-  return qtr_certificate_within(learner, 0.5);
+  const double half = qtr_certificate_within(learner, 0.5);
+  const double least = learner->best.score.worth + LEAST_GAP * fabs(learner->best.score.worth);
+  return half < least ? half : least;
 }
 
 static void begin_list(qtr_learner *learner) {

@@ -1,12 +1,12 @@
 /* Routes within the gap: all that a seeker may go in a game better than a target.
  *
- * Under prices (search/bound.h) a game is worth no more than the sum of prices and of what each seeker's route collects
- * net of them. Where the bound on all games is `gap` above the target, a route that collects less than the most of its
- * seeker, by the gap or more, is in no game better than the target. What a route begun can still collect C knows, for
- * every place, moment and memory: so routes are grown place by place from the starts, and given up as soon as they
- * cannot be within the gap. Of two that end at one place and have been to the same ones, one that is there later and has
- * collected no more is given up as well (Baldacci, Christofides, Mingozzi 2008: route enumeration).
- */
+ * Under prices (search/bound.h) a game is worth no more than the sum of prices and of what each seeker's route
+ * collects net of them. Where the bound on all games is `gap` above the target, a route that collects less than the
+ * most of its seeker, by the gap or more, is in no game better than the target. What a route begun can still collect
+ * C knows, for every place, moment and memory: so routes are grown place by place from the starts, and given up as
+ * soon as they cannot be within the gap. Of two that end at one place and have been to the same ones, one that is
+ * there later and has collected no more is given up as well (Baldacci, Christofides, Mingozzi 2008: route
+ * enumeration). */
 #ifndef QUARTER_SEARCH_POOL_H
 #define QUARTER_SEARCH_POOL_H
 

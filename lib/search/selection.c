@@ -11,6 +11,7 @@
 #define PIVOTS_A_STEP 64u
 #define BOX 0.1          /* of the scale: how far prices may go from where they were good, at first */
 #define LEAST_GAIN 1e-7  /* of the gap: what is less is nothing */
+#define FINEST 1e-10     /* of the target */
 #define ROUNDING 1e-12   /* of the scale */
 #define LEAST_LEVEL 1e-4 /* of a column in the basis: what is less is none, or rows that are shifted */
 #define TRIPLES_A_ROUND 24u
@@ -42,7 +43,8 @@ static double scale_of(const qtr_selection *s) {
 /* Of a column: what is less is nothing. The gap is as wide as it likes where no game worth the name is known. */
 static double least_gain(const qtr_selection *s) {
   const double gap = s->upper - s->target;
-  const double gain = LEAST_GAIN * (gap < s->scale ? gap : s->scale);
+  const double relative = LEAST_GAIN * (gap < s->scale ? gap : s->scale);
+  const double gain = relative < s->finest ? relative : s->finest;
   return gain > ROUNDING * s->scale ? gain : ROUNDING * s->scale;
 }
 
@@ -126,6 +128,7 @@ bool qtr_selection_begin(qtr_selection *s, const qtr_pool *pool, void *block, si
   s->left = qtr_objective_left(&bound_of(s)->game->objective, 1.0);
   s->triples = s->fruitless = s->actives = s->depth = 0;
   s->scale = scale_of(s);
+  s->finest = FINEST * fabs(target);
   s->penalty = PENALTY * s->scale;
   list_choices(s);
   add_rows(s);

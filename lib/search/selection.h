@@ -47,7 +47,7 @@ typedef struct {
   const qtr_pool *pool;
   double target, upper; /* on all games that the routes make */
   double node_upper;    /* on those of the branches at hand */
-  double left, scale;
+  double left, scale, finest;
   qtr_choice *choice;
   uint32_t choices;
   qtr_simplex simplex;

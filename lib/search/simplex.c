@@ -61,8 +61,8 @@ void qtr_simplex_init(qtr_simplex *simplex, void *block, uint32_t rows, qtr_colu
   simplex->one = block_cut(&left, rows * sizeof(uint16_t));
 }
 
-/* Where many levels are 0, a method that follows the greatest gain can go round in circles. Each row gives a little more
- * than it should, no two of them the same. */
+/* Where many levels are 0, a method that follows the greatest gain can go round in circles. Each row gives a little
+ * more than it should, no two of them the same. */
 static double shifted(double right, uint32_t row) {
   return right + SHIFT * (double)(1u + (row * 2654435761u >> 22)) / 1024.0;
 }
@@ -321,8 +321,8 @@ void qtr_simplex_refactor(qtr_simplex *simplex) {
 
 /* ---- elastic columns given room ---- */
 
-/* One at a level of next to nothing holds its price where it is, too; but where the price may be anything, there must be
- * an end to it. */
+/* One at a level of next to nothing holds its price where it is, too; but where the price may be anything, there
+ * must be an end to it. */
 static bool is_narrow(const qtr_simplex *simplex, int32_t elastic) {
   return simplex->most[row_of(elastic)] - simplex->least[row_of(elastic)] < ROOMY * simplex->widest;
 }

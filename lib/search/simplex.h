@@ -73,8 +73,8 @@ bool qtr_simplex_enter(qtr_simplex *simplex, int32_t number, const qtr_column *c
 /* Let the elastic column with the greatest gain enter, or give it room. False: there is none with more than `least`. */
 bool qtr_simplex_enter_elastic(qtr_simplex *simplex, double least);
 
-/* Give room to the prices whose elastic columns are in the basis, above a level of `least` without end. False: there are
- * none, and what is in the basis solves the programme. */
+/* Give room to the prices whose elastic columns are in the basis, above a level of `least` without end. False: there
+ * are none, and what is in the basis solves the programme. */
 bool qtr_simplex_widen(qtr_simplex *simplex, double least);
 
 #endif

@@ -29,8 +29,8 @@ static inline bool qtr_triple_counts(const qtr_triple *triple, const qtr_label *
          2;
 }
 
-/* The triples that a mixture breaks most, so many at most, in an array of the caller's; returns how many. No place is in
- * more than a few. */
+/* The triples that a mixture breaks most, so many at most, in an array of the caller's; returns how many. No place
+ * is in more than a few. */
 unsigned qtr_triples_broken(const qtr_mixture *mixture, unsigned places, qtr_triple *triple, unsigned most);
 
 #endif

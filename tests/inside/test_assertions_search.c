@@ -18,6 +18,7 @@ static qtr_play play;
 /* Two seekers at one start, three places, learnt to the end. */
 void setUp(void) {
   snprintf(case_note, sizeof case_note, "by hand");
+  learning_by_episodes = true;
   table_draw("1..S..2/..~...3", 2);
   play = table_learner->best;
   qtr_play_to_routes(&play, &table_game, &routes);

@@ -10,6 +10,7 @@
 
 void setUp(void) {
   snprintf(case_note, sizeof case_note, "by hand");
+  learning_by_episodes = true;
 }
 
 void tearDown(void) {
@@ -62,23 +63,28 @@ static void test_drawings_give_the_golden_tables(void) {
   TEST_ASSERT_EQUAL(0, others);
 }
 
-/* Open ground, 13 places of even odds, 2 seekers: hundreds of episodes, each on the floats of the ones before. */
+/* Open ground, 13 places of even odds. */
+static void open_ground(uint8_t objective, uint8_t seekers) {
+  test_random random = {2024};
+  qtr_mission_default(&table_mission);
+  table_mission.columns = table_mission.rows = 30;
+  table_mission.aim.kind = objective;
+  memset(table_mission.cost, 1, 900);
+  for (; table_mission.places < 13; table_mission.places++) {
+    table_mission.place[table_mission.places] = (qtr_cell)(table_mission.places * 69 + random_below(&random, 69));
+    table_mission.weight[table_mission.places] = random_in(&random, 8, 10);
+  }
+  table_mission.start[0] = 899;
+  mission_crew(&table_mission, seekers);
+}
+
+/* Two seekers: hundreds of episodes, each on the floats of the ones before. */
 static void test_hundreds_of_episodes_give_the_golden_table(void) {
   static const uint32_t hash[2] = {0x923AA1A6, 0xFBF81C81};
   unsigned others = 0;
   for (uint8_t objective = 0; objective < 2; objective++) {
-    test_random random = {2024};
     snprintf(case_note, sizeof case_note, "episodes, objective %u", objective);
-    qtr_mission_default(&table_mission);
-    table_mission.columns = table_mission.rows = 30;
-    table_mission.aim.kind = objective;
-    memset(table_mission.cost, 1, 900);
-    for (; table_mission.places < 13; table_mission.places++) {
-      table_mission.place[table_mission.places] = (qtr_cell)(table_mission.places * 69 + random_below(&random, 69));
-      table_mission.weight[table_mission.places] = random_in(&random, 8, 10);
-    }
-    table_mission.start[0] = 899;
-    mission_crew(&table_mission, 2);
+    open_ground(objective, 2);
     table_learn(0);
     table_learner->phase = QTR_PHASE_EPISODES; /* the first prices alone, so that Q has the work */
     for (unsigned step = 0; step < 400; step++) qtr_learner_step(table_learner);
@@ -89,9 +95,35 @@ static void test_hundreds_of_episodes_give_the_golden_table(void) {
   TEST_ASSERT_EQUAL(0, others);
 }
 
+/* The same ground, more seekers: the best game chosen among routes. */
+static void test_routes_give_the_golden_table(void) {
+  static const uint32_t hash[2] = {0x05D0A612, 0xA9675176};
+  static uint64_t routes[(1u << 19) / 8];
+  unsigned others = 0;
+  for (uint8_t objective = 0; objective < 2; objective++) {
+    const qtr_learner_blocks blocks = {
+        learning_memory.work, sizeof learning_memory.work, learning_memory.table, QTR_QTABLE_WORDS, routes,
+        sizeof routes};
+    qtr_learner_config config;
+    snprintf(case_note, sizeof case_note, "routes, objective %u", objective);
+    open_ground(objective, 4);
+    table_learn(0);
+    qtr_learner_config_default(&config);
+    TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_learner_init(&table_learner, &blocks, table_ground, NULL, &config));
+    table_learner->phase = QTR_PHASE_EPISODES;
+    TEST_ASSERT_EQUAL_INT(QTR_LEARNING, qtr_learner_step(table_learner));
+    while (qtr_learner_step(table_learner) == QTR_LEARNING) {}
+    TEST_ASSERT_EQUAL_MESSAGE(1, table_learner->episodes, case_note);
+    table_export();
+    others += is_other_hash(hash[objective]);
+  }
+  TEST_ASSERT_EQUAL(0, others);
+}
+
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_drawings_give_the_golden_tables);
   RUN_TEST(test_hundreds_of_episodes_give_the_golden_table);
+  RUN_TEST(test_routes_give_the_golden_table);
   return UNITY_END();
 }

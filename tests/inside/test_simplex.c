@@ -51,9 +51,28 @@ static double element(uint32_t row, uint32_t column) {
   return programme.ones[column] >> row & 1u ? 1.0 : 0.0;
 }
 
-/* The worth of the basis, by elimination; -HUGE_VAL if it is none, or has a level below 0. */
+typedef double tableau[ROWS_MOST + 1][ROWS_MOST + 2];
+
+/* Column j alone has row j. False: it depends on the others. */
+static bool eliminate(tableau a, uint32_t n, uint32_t j) {
+  uint32_t pivot = j;
+  while (pivot < n && fabs(a[pivot][j]) < 1e-9) pivot++;
+  if (pivot == n) return false;
+  for (uint32_t k = 0; k <= n; k++) {
+    const double swapped = a[pivot][k];
+    a[pivot][k] = a[j][k];
+    a[j][k] = swapped;
+  }
+  for (uint32_t i = 0; i < n; i++) {
+    const double share = i == j ? 0.0 : a[i][j] / a[j][j];
+    for (uint32_t k = 0; k <= n; k++) a[i][k] -= share * a[j][k];
+  }
+  return true;
+}
+
+/* The worth of the basis; -HUGE_VAL if it is none, or has a level below 0. */
 static double worth_of_basis(uint32_t basis) {
-  double a[ROWS_MOST + 1][ROWS_MOST + 2];
+  tableau a;
   uint32_t of[ROWS_MOST + 1], n = 0;
   double worth = 0.0;
   for (uint32_t column = 0; column < programme.columns + programme.rows; column++)
@@ -62,20 +81,8 @@ static double worth_of_basis(uint32_t basis) {
     for (uint32_t j = 0; j < n; j++) a[i][j] = element(i, of[j]);
     a[i][n] = programme.right[i];
   }
-  for (uint32_t j = 0; j < n; j++) {
-    uint32_t pivot = j;
-    while (pivot < n && fabs(a[pivot][j]) < 1e-9) pivot++;
-    if (pivot == n) return -HUGE_VAL;
-    for (uint32_t k = 0; k <= n; k++) {
-      const double swapped = a[pivot][k];
-      a[pivot][k] = a[j][k];
-      a[j][k] = swapped;
-    }
-    for (uint32_t i = 0; i < n; i++) {
-      const double share = i == j ? 0.0 : a[i][j] / a[j][j];
-      for (uint32_t k = 0; k <= n; k++) a[i][k] -= share * a[j][k];
-    }
-  }
+  for (uint32_t j = 0; j < n; j++)
+    if (!eliminate(a, n, j)) return -HUGE_VAL;
   for (uint32_t j = 0; j < n; j++) {
     if (a[j][n] / a[j][j] < -1e-9) return -HUGE_VAL;
     if (of[j] < programme.columns) worth += programme.worth[of[j]] * a[j][n] / a[j][j];

@@ -1,5 +1,5 @@
 /* Triples that a mixture of routes breaks, against a look at all triples. */
-#include <string.h>
+#include <stdlib.h>
 
 #include "search/triples.h"
 #include "support/random.h"
@@ -8,17 +8,20 @@
 #define PLACES 9u
 #define ROUTES 12u
 
-static struct {
-  qtr_label label;
-  uint32_t set[1];
-} routes[ROUTES];
+static qtr_label *label[ROUTES];
 static const qtr_label *route[ROUTES];
 static double share[ROUTES];
 
 void setUp(void) {
+  for (unsigned i = 0; i < ROUTES; i++) label[i] = calloc(1, sizeof *label[i] + sizeof label[i]->set[0]);
 }
 
 void tearDown(void) {
+  for (unsigned i = 0; i < ROUTES; i++) free(label[i]);
+}
+
+static uint32_t *set_of(unsigned i) {
+  return label[i]->set;
 }
 
 /* Routes in shares, no place on more than one route in all. */
@@ -28,13 +31,13 @@ static qtr_mixture draw(test_random *random) {
   for (unsigned place = 0; place < PLACES; place++) left[place] = 1.0;
   for (unsigned i = 0; i < ROUTES; i++) {
     double most = 0.5;
-    routes[i].set[0] = random_in(random, 1, (1u << PLACES) - 1) & random_in(random, 1, (1u << PLACES) - 1);
+    *set_of(i) = random_in(random, 1, (1u << PLACES) - 1) & random_in(random, 1, (1u << PLACES) - 1);
     for (unsigned place = 0; place < PLACES; place++)
-      if (routes[i].set[0] >> place & 1u && left[place] < most) most = left[place];
+      if (*set_of(i) >> place & 1u && left[place] < most) most = left[place];
     for (unsigned place = 0; place < PLACES; place++)
-      if (routes[i].set[0] >> place & 1u) left[place] -= most;
+      if (*set_of(i) >> place & 1u) left[place] -= most;
     if (most <= 0.0) continue;
-    route[mixture.count] = &routes[i].label;
+    route[mixture.count] = label[i];
     share[mixture.count++] = most;
   }
   return mixture;
@@ -89,11 +92,11 @@ static void test_no_game_breaks_any(void) {
     qtr_mixture mixture = {3, route, share};
     qtr_triple triple[4];
     for (unsigned i = 0; i < 3; i++) {
-      routes[i].set[0] = 0;
-      route[i] = &routes[i].label;
+      *set_of(i) = 0;
+      route[i] = label[i];
       share[i] = 1.0;
     }
-    for (unsigned place = 0; place < PLACES; place++) routes[random_below(&random, 3)].set[0] |= 1u << place;
+    for (unsigned place = 0; place < PLACES; place++) *set_of(random_below(&random, 3)) |= 1u << place;
     TEST_ASSERT_EQUAL_MESSAGE(0, qtr_triples_broken(&mixture, PLACES, triple, 4), case_note);
   }
 }

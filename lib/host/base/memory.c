@@ -22,6 +22,13 @@ int memory_need(memory_block *block, size_t bytes, fault *why) {
   return 0;
 }
 
+void memory_want(memory_block *block, size_t bytes) {
+  if (block->bytes >= bytes) return;
+  memory_drop(block);
+  block->at = calloc(1, bytes);
+  if (block->at != NULL) block->bytes = bytes;
+}
+
 bool memory_grow(memory_block *block, size_t bytes) {
   if (block->bytes >= bytes) return true;
   void *larger = realloc(block->at, bytes);

@@ -16,6 +16,9 @@ typedef struct {
   size_t bytes;
 } memory_block;
 
+/* Make it hold so many bytes, whatever stood in it; or none, where there are no more: for what one can do without. */
+void memory_want(memory_block *block, size_t bytes);
+
 /* Make it hold so many bytes; what stood in it is lost. 0, or -1 with *why set and no block. */
 int memory_need(memory_block *block, size_t bytes, fault *why);
 
