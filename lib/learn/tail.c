@@ -11,7 +11,8 @@
 #define FIRST_LABELS (1u << 17) /* of the first try; each one that fails is followed by one with four times as many, */
 #define FIRST_EPISODES 64u      /* and four times as many episodes */
 #define LABELS_A_STEP 4096u
-#define LEAST_GAP 1e-8 /* what a linear programme can tell */
+#define PLACES_MOST 256u /* of more of them pairs and triples take too long */
+#define LEAST_GAP 1e-8   /* what a linear programme can tell */
 
 enum phase { TAIL_WAITS = 0, TAIL_LISTS = 1, TAIL_SELECTS = 2, TAIL_IS_OVER = 3 };
 
@@ -94,9 +95,13 @@ static void select(qtr_learner *learner) {
   if (tail->selection.upper < learner->upper) learner->upper = learner->ground_upper = tail->selection.upper;
 }
 
+static bool is_of_use(const qtr_learner *learner) {
+  return learner->tail != NULL && !learner_is_aggregate(learner) && learner->game->board.rule == QTR_RULE_FREE &&
+         learner->game->board.places <= PLACES_MOST;
+}
+
 bool qtr_tail_step(qtr_learner *learner) {
-  if (learner->tail == NULL || learner_is_aggregate(learner) || learner->game->board.rule != QTR_RULE_FREE)
-    return false;
+  if (!is_of_use(learner)) return false;
   if (learner->tail->phase == TAIL_WAITS) begin_list(learner);
   switch (learner->tail->phase) {
   case TAIL_LISTS: list(learner); return true;

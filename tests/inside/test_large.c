@@ -51,7 +51,7 @@ static qtr_learner *learn(void **work, void **table, void **ground_block) {
   *table = take(words * sizeof(uint32_t));
   *ground_block = take(ground_bytes);
   qtr_learner_config_default(&config);
-  const qtr_learner_blocks blocks = {*work, qtr_learner_bytes(&game), *table, words};
+  const qtr_learner_blocks blocks = {*work, qtr_learner_bytes(&game), *table, words, NULL, 0};
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_environment_init(&ground, *ground_block, ground_bytes, &game, NULL, &travel));
   left = ASKINGS;
   mission.watch.go_on = ask;
