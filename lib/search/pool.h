@@ -66,7 +66,7 @@ void qtr_pool_begin(qtr_pool *pool, void *block, size_t bytes, const qtr_bound *
 enum qtr_listing qtr_pool_go_on(qtr_pool *pool, uint32_t count);
 
 static inline qtr_label *qtr_pool_label(const qtr_pool *pool, uint32_t label) {
-  return (qtr_label *)(pool->label + (size_t)label * pool->stride);
+  return (qtr_label *)(void *)(pool->label + (size_t)label * pool->stride);
 }
 
 /* Whether a label, once all are listed, is a route that counts. */
