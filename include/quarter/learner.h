@@ -5,7 +5,8 @@
  * Certified setting: Q starts at an upper bound, the seekers act greedily on it, and each episode is backed up from its
  * end to its start, Q(s,a) <- min(Q(s,a), backup). Q then never falls below the optimal Q*, so the largest Q of the
  * first state bounds every policy from above, and the best game played so far is a policy that earns what it earns.
- * When the two meet, that policy is optimal; stopped earlier, the gap between them is known.
+ * When the two meet, that policy is optimal; stopped earlier, the gap between them is known. On the ground, what
+ * prices leave open is first closed by choosing among all routes within the gap, where the caller's block holds them.
  *
  * Paper setting: Q starts at 0, the seekers explore, and each step is backed up as it comes, Q(s,a) <- (1 - alpha)
  * Q(s,a) + alpha backup (Eq. 4.7). After each episode the greedy policy is played; the best one played is the result,

@@ -260,8 +260,7 @@ static qtr_column active_column(const qtr_selection *s, uint32_t i) {
 
 /* The one with the greatest gain enters. False: none has any. */
 static bool enter_best(qtr_selection *s) {
-  const double least = least_gain(s);
-  double most = least;
+  double most = least_gain(s);
   uint32_t best = s->actives;
   for (uint32_t i = 0; i < s->actives; i++) {
     const qtr_column column = active_column(s, i);
@@ -331,17 +330,11 @@ static bool add_triples(qtr_selection *s, const qtr_mixture *mixture) {
 
 /* ---- branches ---- */
 
-static bool is_ruled_out(const qtr_branch *branch, const qtr_label *label) {
-  const bool has_a = qtr_label_has(label, branch->a);
-  if (branch->of_squad) return has_a && (label->squad == branch->b) != branch->holds;
-  return branch->holds ? has_a != qtr_label_has(label, branch->b) : has_a && qtr_label_has(label, branch->b);
-}
-
 static void begin_node(qtr_selection *s, double upper) {
   s->node_upper = s->round_upper = upper;
   s->fruitless = 0;
   for (uint32_t i = 0; i < s->choices; i++)
-    if (s->choice[i].off == 0 && is_ruled_out(&s->branch[s->depth - 1], label_of(s, i)))
+    if (s->choice[i].off == 0 && qtr_branch_rules_out(&s->branch[s->depth - 1], label_of(s, i)))
       s->choice[i].off = (uint8_t)s->depth;
   qtr_simplex_refactor(&s->simplex);
   s->phase = PHASE_LOOK;
@@ -366,38 +359,10 @@ static bool go_back(qtr_selection *s) {
   return false;
 }
 
-static double share_of(const qtr_mixture *mixture, const qtr_branch *branch) {
-  double sum = 0.0;
-  for (uint32_t i = 0; i < mixture->count; i++) {
-    const qtr_label *route = mixture->route[i];
-    const bool other = branch->of_squad ? route->squad == branch->b : qtr_label_has(route, branch->b);
-    if (qtr_label_has(route, branch->a) && other) sum += mixture->share[i];
-  }
-  return sum;
-}
-
-/* The nearer its share is to a half, the better. */
-static void weigh(const qtr_mixture *mixture, const qtr_branch *branch, qtr_branch *best, double *nearest) {
-  const double distance = fabs(share_of(mixture, branch) - 0.5);
-  if (distance >= *nearest) return;
-  *nearest = distance;
-  *best = *branch;
-}
-
-static bool find_branch(const qtr_selection *s, const qtr_mixture *mixture, qtr_branch *best) {
-  double nearest = 0.5 - LEAST_LEVEL;
-  for (unsigned a = 0; a < places_of(s); a++) {
-    for (unsigned b = a + 1; b < places_of(s); b++)
-      weigh(mixture, &(qtr_branch){(uint16_t)a, (uint16_t)b, false, true, false, 0.0}, best, &nearest);
-    for (unsigned squad = 0; squad < s->pool->squads && s->pool->squads > 1; squad++)
-      weigh(mixture, &(qtr_branch){(uint16_t)a, (uint16_t)squad, true, true, false, 0.0}, best, &nearest);
-  }
-  return nearest < 0.5 - LEAST_LEVEL;
-}
-
 static void add_branch(qtr_selection *s, const qtr_mixture *mixture) {
   qtr_branch branch;
-  if (s->depth == QTR_SELECTION_DEPTH || !find_branch(s, mixture, &branch)) {
+  if (s->depth == QTR_SELECTION_DEPTH ||
+      !qtr_branch_find(mixture, places_of(s), s->pool->squads, LEAST_LEVEL, &branch)) {
     s->phase = PHASE_STUCK;
     return;
   }
@@ -478,7 +443,6 @@ void qtr_selection_routes(const qtr_selection *s, qtr_routes *routes) {
   }
 }
 
-/* A game that was found and is no better than what was known would be found for ever. */
 void qtr_selection_raise(qtr_selection *s, double target) {
   if (target > s->target) s->target = target;
   if (s->node_upper > s->target) s->phase = PHASE_STUCK;

@@ -13,6 +13,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "search/branch.h"
 #include "search/play.h"
 #include "search/pool.h"
 #include "search/simplex.h"
@@ -28,13 +29,6 @@ typedef struct {
   uint8_t off; /* the branch that rules it out, from 1 on; 0: none does */
   bool in_basis;
 } qtr_choice;
-
-/* Places a and b are on one route, or place a is on one of squad b's; or else they are not. */
-typedef struct {
-  uint16_t a, b;
-  bool of_squad, holds, last; /* last: the other side has been looked at */
-  double upper;               /* before it */
-} qtr_branch;
 
 enum qtr_selecting {
   QTR_SELECTING = 0,
@@ -67,16 +61,18 @@ typedef struct {
   uint8_t phase;
 } qtr_selection;
 
-/* Begin, in what the pool leaves of its block. False: that is too little. */
+/* Begin, in what the pool leaves of its block, aligned for a double; routes of games that are worth more than `target`
+ * must all be listed. False: the block is too small. */
 bool qtr_selection_begin(qtr_selection *selection, const qtr_pool *pool, void *block, size_t bytes, double target);
 
-/* Go on for a bounded amount of work. */
+/* Go on for a bounded amount of work: a look at all routes, or some pivots. */
 enum qtr_selecting qtr_selection_go_on(qtr_selection *selection);
 
 /* The game that was found, as routes. */
 void qtr_selection_routes(const qtr_selection *selection, qtr_routes *routes);
 
-/* A better game is known by now: what counts is what is worth more than that. */
+/* After a game was found: what counts is what is worth more than `target`. One that is no better than was known before
+ * ends in QTR_SELECTION_STUCK, or it would be found for ever. */
 void qtr_selection_raise(qtr_selection *selection, double target);
 
 #endif

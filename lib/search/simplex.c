@@ -36,7 +36,7 @@ static double worth_of_elastic(const qtr_simplex *simplex, int32_t elastic) {
 
 size_t qtr_simplex_bytes(uint32_t rows) {
   const size_t doubles = (size_t)rows * rows + 7 * (size_t)rows;
-  return doubles * sizeof(double) + block_piece(rows * sizeof(bool)) + 2 * block_piece(rows * sizeof(int32_t)) +
+  return doubles * sizeof(double) + 2 * block_piece(rows * sizeof(bool)) + 2 * block_piece(rows * sizeof(int32_t)) +
          block_piece(rows * sizeof(uint16_t));
 }
 
@@ -56,6 +56,7 @@ void qtr_simplex_init(qtr_simplex *simplex, void *block, uint32_t rows, qtr_colu
   simplex->worth = block_cut(&left, rows * sizeof(double));
   simplex->change = block_cut(&left, rows * sizeof(double));
   simplex->has_slack = block_cut(&left, rows * sizeof(bool));
+  simplex->taken = block_cut(&left, rows * sizeof(bool));
   simplex->basis = block_cut(&left, rows * sizeof(int32_t));
   simplex->order = block_cut(&left, rows * sizeof(int32_t));
   simplex->one = block_cut(&left, rows * sizeof(uint16_t));
@@ -306,7 +307,7 @@ static void find_prices(qtr_simplex *simplex) {
 
 /* A column that has come to depend on the others is left out; an elastic one stands where it stood. */
 void qtr_simplex_refactor(qtr_simplex *simplex) {
-  bool *taken = (bool *)simplex->worth; /* which are found last */
+  bool *taken = simplex->taken;
   begin_inverse(simplex);
   memset(taken, 0, simplex->rows * sizeof *taken);
   for (uint32_t pass = 0; pass < 2; pass++)

@@ -42,6 +42,7 @@ typedef struct {
   double *worth;
   int32_t *basis; /* 0 and up: the caller's columns; below: elastic ones */
   double *change; /* scratch: a row each */
+  bool *taken;
   int32_t *order;
   uint16_t *one;
 } qtr_simplex;
