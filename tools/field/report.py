@@ -51,12 +51,12 @@ def of_group(data, group):
 
 
 def pictures(data):
-    """Quality over time: a picture a group, by the file's name."""
+    """Quality over time: a picture a group, by the file's name; none where no solver has a plan of most in that time."""
     drawn, first = {}, data["seconds"] / 1000
     for group in GROUPS:
         instances = of_group(data, group)
-        if instances:
-            courses = {solver: summary.course(instances, solver, first, data["seconds"]) for solver in data["solvers"]}
+        courses = {solver: summary.course(instances, solver, first, data["seconds"]) for solver in data["solvers"]}
+        if any(courses.values()):
             drawn[f"{group}.svg"] = charts.draw(f"{group} problems: median gap to the best plan", courses, first,
                                                 data["seconds"])
     return drawn
@@ -129,6 +129,8 @@ def write_documents(docs, data, text):
     folder = docs / "benchmarks"
     folder.mkdir(exist_ok=True)
     (folder / "data.json").write_text(as_text(data), encoding="utf-8")
+    for stale in folder.glob("*.svg"):
+        stale.unlink()
     for name, picture in pictures(data).items():
         (folder / name).write_text(picture, encoding="utf-8")
     (docs / "benchmarks.md").write_text(text, encoding="utf-8")
