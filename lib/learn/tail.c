@@ -2,39 +2,69 @@
 
 #include <math.h>
 
+#include "core/block.h"
 #include "learn/certificate.h"
+#include "learn/planning.h"
 #include "learn/role.h"
 #include "model/rounding.h"
+#include "search/columns.h"
 #include "search/pool.h"
 #include "search/selection.h"
 
-#define FIRST_LABELS (1u << 17) /* of the first try; each one that fails is followed by one with four times as many, */
-#define FIRST_EPISODES 64u      /* and four times as many episodes */
+#define FIRST_LABELS (1u << 17) /* of the first list of all routes; each that fails is followed by one twice as long */
+#define LABELS_TO_TRY (1u << 19)
+#define STEPS_TO_TRY 2000u
+#define ROOM_TO_PRICE 0.75 /* of the room, for labels while routes are priced */
+#define NARROWER 0.5       /* of the gap: some of the routes where all are too many */
+#define LEAST_SHARE 1e-3
+#define LESS 0.8           /* of the gap, before all routes are listed once more */
+#define FIRST_ROUND 2u     /* of triples, likewise */
+#define FIRST_EPISODES 64u /* before all is tried anew; after each failure four times as many */
 #define LABELS_A_STEP 4096u
 #define PLACES_MOST 256u /* of more of them pairs and triples take too long */
 #define LEAST_GAP 1e-8   /* what a linear programme can tell */
 
-enum phase { TAIL_WAITS = 0, TAIL_LISTS = 1, TAIL_SELECTS = 2, TAIL_IS_OVER = 3 };
+enum phase {
+  TAIL_WAITS = 0,
+  TAIL_LISTS = 1,  /* all routes within the gap; where they are too many, some */
+  TAIL_TRIES = 2,  /* the best game out of some */
+  TAIL_PRICES = 3, /* routes, until fewer are within the gap */
+  TAIL_FILLS = 4,  /* C, for the next list */
+  TAIL_SELECTS = 5,
+  TAIL_SETTLES = 6, /* the bound is put back for the episodes */
+  TAIL_IS_OVER = 7
+};
 
 struct qtr_tail {
-  uint8_t phase;
-  uint32_t labels_most;
-  uint64_t episodes, wait; /* that there are to be before the next try; and after it, if it fails */
+  uint8_t phase, then;     /* what follows when the bound is settled */
+  bool is_priced;          /* as far as it goes */
+  uint32_t rounds;         /* of triples, since the first list of all */
+  uint32_t labels;         /* of the next list of all */
+  double gap;              /* of the last one */
+  double share;            /* of the gap, being listed */
+  uint32_t steps;          /* of a try */
+  uint64_t episodes, wait; /* that there are to be before the next time; and after it, if it fails */
   qtr_pool pool;
+  qtr_columns columns;
   qtr_selection selection;
-  size_t bytes;
+  double *charge; /* for each pair of places */
+  uint8_t *listed;
+  size_t bytes; /* for what is listed */
   uint64_t block[];
 };
 
 void qtr_tail_init(qtr_learner *learner, void *block, size_t bytes) {
+  const size_t places = learner->game->board.places;
+  const size_t needed = sizeof(qtr_tail) + places * places * sizeof(double);
   learner->tail = NULL;
-  if (block == NULL || bytes <= sizeof(qtr_tail) || (uintptr_t)block % sizeof(uint64_t) != 0) return;
-  learner->tail = block;
-  learner->tail->phase = TAIL_WAITS;
-  learner->tail->labels_most = FIRST_LABELS;
-  learner->tail->episodes = 0;
-  learner->tail->wait = FIRST_EPISODES;
-  learner->tail->bytes = bytes - sizeof(qtr_tail);
+  if (block == NULL || bytes <= needed || (uintptr_t)block % sizeof(uint64_t) != 0) return;
+  qtr_tail *tail = learner->tail = block;
+  tail->phase = TAIL_WAITS;
+  tail->episodes = 0;
+  tail->wait = FIRST_EPISODES;
+  tail->listed = (uint8_t *)tail->block;
+  tail->charge = block_cut(&tail->listed, places * places * sizeof(double));
+  tail->bytes = bytes - needed;
 }
 
 /* All of the gap is closed but for what rounding may add, and never less than half of the gap asked for. */
@@ -44,30 +74,87 @@ static double target_of(const qtr_learner *learner) {
   return half < least ? half : least;
 }
 
-static void begin_list(qtr_learner *learner) {
-  qtr_tail *tail = learner->tail;
-  if (learner->episodes < tail->episodes) return;
-  qtr_pool_begin(&tail->pool, tail->block, tail->bytes, &learner->bound, target_of(learner));
-  if (tail->pool.labels_most > tail->labels_most) tail->pool.labels_most = tail->labels_most;
-  tail->phase = TAIL_LISTS;
+static void lower(qtr_learner *learner, double upper) {
+  if (upper < learner->upper) learner->upper = learner->ground_upper = upper;
 }
 
-/* Once more, with more room, or when the best game is better. */
+static double gap_of(const qtr_learner *learner) {
+  return learner->tail->columns.upper - target_of(learner);
+}
+
+static void settle(qtr_learner *learner, enum phase then) {
+  learner->tail->phase = TAIL_SETTLES;
+  learner->tail->then = (uint8_t)then;
+}
+
+/* Once more behind some episodes, when the best game is better. */
 static void wait_for_next(qtr_learner *learner) {
   qtr_tail *tail = learner->tail;
-  tail->phase = TAIL_WAITS;
-  tail->labels_most = tail->labels_most < UINT32_MAX / 4 ? tail->labels_most * 4 : UINT32_MAX;
   tail->episodes = learner->episodes + tail->wait;
   tail->wait *= 4;
+  settle(learner, TAIL_WAITS);
 }
 
-static void begin_selection(qtr_learner *learner) {
+/* ---- lists of routes within the gap ---- */
+
+static void begin_list(qtr_learner *learner, double share, uint32_t labels) {
   qtr_tail *tail = learner->tail;
-  const size_t used = qtr_pool_bytes(&tail->pool);
-  const bool begun = qtr_selection_begin(&tail->selection, &tail->pool, (uint8_t *)tail->block + used,
-                                         tail->bytes - used, target_of(learner));
-  if (begun)
-    tail->phase = TAIL_SELECTS;
+  tail->phase = TAIL_LISTS;
+  tail->share = share;
+  tail->pool.labels_most = labels < tail->pool.labels_room ? labels : tail->pool.labels_room;
+  qtr_columns_list(&tail->columns, share * gap_of(learner));
+}
+
+static void list_all(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  tail->gap = gap_of(learner);
+  tail->rounds = 0;
+  begin_list(learner, 1.0, tail->labels);
+  if (tail->labels < UINT32_MAX / 2) tail->labels *= 2;
+}
+
+static void begin(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  if (learner->episodes < tail->episodes) return;
+  qtr_pool_init(&tail->pool, tail->listed, tail->bytes, &learner->bound);
+  const uint32_t labels = (uint32_t)(ROOM_TO_PRICE * tail->pool.labels_room);
+  const size_t used = qtr_pool_bytes(&tail->pool, labels);
+  const qtr_columns_room room = {tail->charge, tail->listed + used, tail->bytes - used, labels};
+  qtr_columns_begin(&tail->columns, &learner->bound, &tail->pool, &room, target_of(learner));
+  tail->labels = FIRST_LABELS;
+  tail->is_priced = false;
+  list_all(learner);
+}
+
+/* From the labels on what is left of the block is free. */
+static bool begin_selection(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  const size_t used = qtr_pool_bytes(&tail->pool, tail->pool.labels);
+  return qtr_selection_begin(&tail->selection, &tail->pool, tail->listed + used, tail->bytes - used,
+                             &tail->columns.center, target_of(learner));
+}
+
+static void begin_choice(qtr_learner *learner) {
+  if (begin_selection(learner))
+    learner->tail->phase = TAIL_SELECTS;
+  else
+    wait_for_next(learner);
+}
+
+static void price_on(qtr_learner *learner) {
+  learner->tail->phase = TAIL_PRICES;
+  if (learner->tail->is_priced) wait_for_next(learner);
+}
+
+static void begin_try(qtr_learner *learner) {
+  learner->tail->steps = 0;
+  learner->tail->phase = TAIL_TRIES;
+  if (!begin_selection(learner)) price_on(learner);
+}
+
+static void list_some(qtr_learner *learner) {
+  if (learner->tail->share > LEAST_SHARE)
+    begin_list(learner, NARROWER * learner->tail->share, LABELS_TO_TRY);
   else
     wait_for_next(learner);
 }
@@ -75,10 +162,38 @@ static void begin_selection(qtr_learner *learner) {
 static void list(qtr_learner *learner) {
   switch (qtr_pool_go_on(&learner->tail->pool, LABELS_A_STEP)) {
   case QTR_LISTING: return;
-  case QTR_LISTED: begin_selection(learner); return;
-  default: wait_for_next(learner);
+  case QTR_POOL_FULL: list_some(learner); return;
+  default: break;
   }
+  if (learner->tail->share == 1.0)
+    begin_choice(learner);
+  else
+    begin_try(learner);
 }
+
+/* ---- prices of routes, until fewer are within the gap ---- */
+
+static bool may_list_all(const qtr_learner *learner) {
+  const qtr_tail *tail = learner->tail;
+  return tail->is_priced || (tail->rounds >= FIRST_ROUND && gap_of(learner) < LESS * tail->gap);
+}
+
+static void price(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  qtr_planning_step(learner);
+  const enum qtr_pricing status = qtr_columns_go_on(&tail->columns);
+  lower(learner, tail->columns.upper);
+  if (status == QTR_PRICING) return;
+  tail->rounds++;
+  tail->is_priced = status == QTR_PRICING_STUCK;
+  if (may_list_all(learner)) tail->phase = TAIL_FILLS;
+}
+
+static void fill(qtr_learner *learner) {
+  if (qtr_columns_settle(&learner->tail->columns)) list_all(learner);
+}
+
+/* ---- the best game ---- */
 
 static void take_game(qtr_learner *learner) {
   qtr_selection_routes(&learner->tail->selection, &learner->routes);
@@ -87,25 +202,45 @@ static void take_game(qtr_learner *learner) {
   qtr_selection_raise(&learner->tail->selection, target_of(learner));
 }
 
+/* Out of the routes at hand: what that proves is of them alone. */
+static void try(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  const enum qtr_selecting status = qtr_selection_go_on(&tail->selection);
+  if (status == QTR_SELECTION_GAME) take_game(learner);
+  if (status == QTR_SELECTED || status == QTR_SELECTION_STUCK || ++tail->steps == STEPS_TO_TRY) price_on(learner);
+}
+
 static void select(qtr_learner *learner) {
   qtr_tail *tail = learner->tail;
   const enum qtr_selecting status = qtr_selection_go_on(&tail->selection);
   if (status == QTR_SELECTION_GAME) take_game(learner);
-  if (status == QTR_SELECTED || status == QTR_SELECTION_STUCK) tail->phase = TAIL_IS_OVER;
-  if (tail->selection.upper < learner->upper) learner->upper = learner->ground_upper = tail->selection.upper;
+  if (status == QTR_SELECTED || status == QTR_SELECTION_STUCK) settle(learner, TAIL_IS_OVER);
+  lower(learner, tail->selection.upper);
 }
+
+/* ---- steps ---- */
 
 static bool is_of_use(const qtr_learner *learner) {
   return learner->tail != NULL && !learner_is_aggregate(learner) && learner->game->board.rule == QTR_RULE_FREE &&
          learner->game->board.places <= PLACES_MOST;
 }
 
+/* Episodes need C as the bound's own prices have it. */
+static void put_back(qtr_learner *learner) {
+  qtr_gains_charge(&learner->bound.gains, NULL);
+  if (qtr_bound_settle(&learner->bound)) learner->tail->phase = learner->tail->then;
+}
+
 bool qtr_tail_step(qtr_learner *learner) {
   if (!is_of_use(learner)) return false;
-  if (learner->tail->phase == TAIL_WAITS) begin_list(learner);
   switch (learner->tail->phase) {
+  case TAIL_WAITS: begin(learner); return learner->tail->phase != TAIL_WAITS;
   case TAIL_LISTS: list(learner); return true;
+  case TAIL_TRIES: try(learner); return true;
+  case TAIL_PRICES: price(learner); return true;
+  case TAIL_FILLS: fill(learner); return true;
   case TAIL_SELECTS: select(learner); return true;
+  case TAIL_SETTLES: put_back(learner); return true;
   default: return false;
   }
 }

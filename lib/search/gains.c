@@ -279,11 +279,16 @@ void qtr_gains_init(qtr_gains *gains, void *block, const qtr_environment *enviro
   QTR_ASSERT(qtr_sight_is_exact(&environment->sight));
   gains->environment = environment;
   gains->game = environment->game;
+  gains->charge = NULL;
   gains->kinds = (uint8_t)list_kinds(&gains->game->board, gains->kind_of, gains->first_of);
   gains->clocked = gains->game->board.terms.end != NULL || gains->game->objective.kind == QTR_DEADLINE;
   lay_out(gains, block);
   unpack_travel(gains);
   find_soonest(gains);
+}
+
+void qtr_gains_charge(qtr_gains *gains, const double *charge) {
+  gains->charge = charge;
 }
 
 /* ---- the walks of one seeker ---- */
@@ -375,7 +380,8 @@ static void list_ways(const qtr_gains *gains, unsigned kind, uint32_t slot, unsi
     if (ways[target].slots == QTR_NEVER) continue;
     /* Walks move on in time: C(t, p) needs later slots alone, and those have been filled. */
     QTR_ASSERT(ways[target].slots > 0);
-    const double value = follow(gains, now, slots_left, &ways[target], ways[target].entry);
+    const double value = follow(gains, now, slots_left, &ways[target], ways[target].entry) -
+                         qtr_gains_charge_of(gains, target_of(gains, place), target);
     if (value > least) list_way(on, value, target);
   }
 }
@@ -389,7 +395,8 @@ static double go_on(const qtr_gains *gains, unsigned kind, uint32_t slot, unsign
   if (way->slots == QTR_NEVER || (qtr_near_bit(&gains->near, here, target) & memory) != 0) return -HUGE_VAL;
   const qtr_memory then = qtr_near_move(&gains->near, here, memory, target);
   return follow(gains, gains_in(gains, kind, slot), gains->slots - slot, way,
-                way->entry + then - qtr_near_bit(&gains->near, target, here));
+                way->entry + then - qtr_near_bit(&gains->near, target, here)) -
+         qtr_gains_charge_of(gains, here, target);
 }
 
 /* The most that any way on is worth with a memory, and no less than `best`. */
@@ -459,7 +466,8 @@ static unsigned walk_on(const qtr_gains *gains, unsigned kind, walker *at, doubl
     if (target == here || first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
     if (here != QTR_STAND_DOWN && (qtr_near_bit(&gains->near, here, target) & at->memory) != 0) continue;
     const qtr_memory memory = here == QTR_STAND_DOWN ? 0 : qtr_near_move(&gains->near, here, at->memory, target);
-    const double gain = qtr_gains_at(gains, kind, first, memory, at->when + travel[first]);
+    double gain = qtr_gains_at(gains, kind, first, memory, at->when + travel[first]);
+    if (here != QTR_STAND_DOWN) gain -= qtr_gains_charge_of(gains, here, target);
     if (gain <= *collected) continue;
     *collected = gain;
     best = target;

@@ -30,6 +30,7 @@ typedef struct {
   const qtr_game *game; /* the environment's */
   uint32_t slots;       /* in use */
   qtr_steps slot_steps; /* steps a slot */
+  const double *charge; /* of each move from target to target, a row of targets each; NULL: none */
   bool clocked;         /* what can be collected depends on the clock: nothing between slots is known */
   double slot_fall;     /* discounted: 1 - gamma^slot_steps */
   uint32_t row;         /* gains a slot of a kind */
@@ -66,6 +67,10 @@ void qtr_gains_cut(qtr_gains *gains, qtr_steps last_visit);
 
 /* Walks remember one more neighbour of each target, as far as there is room. False: of none. What C was is lost. */
 bool qtr_gains_remember_more(qtr_gains *gains);
+
+/* Charge walks for each move from one target to another (search/columns.h): a row of targets for each target, 0 or
+ * more, which must outlive the gains. NULL: moves are free, as they are at first. What C was is lost. */
+void qtr_gains_charge(qtr_gains *gains, const double *charge);
 
 /* Work C out under the prices of the targets. False: stopped by the mission's watch, and the gains are those of no
  * prices. */
@@ -119,6 +124,11 @@ static inline double qtr_gains_at(const qtr_gains *gains, unsigned kind, unsigne
   const double here = qtr_gains_in(gains, kind, moment.slot)[entry];
   if (moment.share == 0.0) return here;
   return here + moment.share * (qtr_gains_in(gains, kind, moment.slot + 1)[entry] - here);
+}
+
+/* What a move between two targets is charged. */
+static inline double qtr_gains_charge_of(const qtr_gains *gains, unsigned from, unsigned to) {
+  return gains->charge == NULL ? 0.0 : gains->charge[from * gains->environment->targets.count + to];
 }
 
 /* Steps from a node to each place, for a kind. */

@@ -10,7 +10,13 @@
 #define HEADS_A_LABEL 4u /* in use, of the layer that is grown from */
 #define LEAST_HEADS 256u
 
-enum label_state { LABEL_OPEN = 0, LABEL_BEATEN = 1, LABEL_ROUTE = 2 };
+enum label_state {
+  LABEL_OPEN = 0,
+  LABEL_BEATEN = 1, /* not grown from any more */
+  LABEL_ROUTE = 2,
+  LABEL_MARKED = 3, /* a route to be kept */
+  LABEL_ON_WAY = 4  /* grown from to one of those */
+};
 
 static const qtr_gains *gains_of(const qtr_pool *pool) {
   return &pool->bound->gains;
@@ -29,14 +35,10 @@ static bool is_of_squad(const qtr_squad *squad, const qtr_squad *other) {
 static void list_squads(qtr_pool *pool) {
   const qtr_board *board = &pool->bound->game->board;
   pool->squads = 0;
-  pool->upper = qtr_objective_left(&pool->bound->game->objective, 1.0);
-  for (unsigned place = 0; place < board->places; place++) pool->upper += pool->bound->price[place];
   for (unsigned i = 0; i < board->seekers; i++) {
-    int visits[QTR_MAX_PLACES] = {0};
     const qtr_squad own = {gains_of(pool)->kind_of[i], 1, (uint16_t)(board->places + board->start_of[i]),
-                           qtr_board_ready(board, i), qtr_gains_walk(gains_of(pool), i, visits)};
+                           qtr_board_ready(board, i)};
     unsigned squad = 0;
-    pool->upper += own.most;
     while (squad < pool->squads && !is_of_squad(&pool->squad[squad], &own)) squad++;
     pool->squad_of[i] = (uint8_t)squad;
     if (squad < pool->squads)
@@ -44,6 +46,51 @@ static void list_squads(qtr_pool *pool) {
     else
       pool->squad[pool->squads++] = own;
   }
+}
+
+/* ---- prices ---- */
+
+void qtr_pool_duals(const qtr_pool *pool, qtr_duals *duals) {
+  const qtr_board *board = &pool->bound->game->board;
+  duals->triples = 0;
+  for (unsigned place = 0; place < board->places; place++) duals->place[place] = pool->bound->price[place];
+  for (unsigned i = 0; i < board->seekers; i++) {
+    int visits[QTR_MAX_PLACES] = {0};
+    duals->squad[pool->squad_of[i]] = qtr_gains_walk(gains_of(pool), i, visits);
+  }
+}
+
+double qtr_pool_upper(const qtr_pool *pool, const qtr_duals *duals) {
+  double upper = qtr_objective_left(&pool->bound->game->objective, 1.0);
+  for (unsigned place = 0; place < places_of(pool); place++) upper += duals->place[place];
+  for (uint32_t t = 0; t < duals->triples; t++) upper += duals->toll[t];
+  for (unsigned squad = 0; squad < pool->squads; squad++) upper += pool->squad[squad].count * duals->squad[squad];
+  return upper;
+}
+
+/* The triples of each place, one place behind the other. */
+static void list_tolls(qtr_pool *pool) {
+  const qtr_duals *duals = pool->duals;
+  uint32_t count = 0;
+  for (unsigned place = 0; place < places_of(pool); place++) {
+    pool->toll_begin[place] = count;
+    for (uint32_t t = 0; t < duals->triples; t++) {
+      const uint16_t *of = duals->triple[t].place;
+      for (unsigned i = 0; i < 3; i++)
+        if (of[i] == place && duals->toll[t] > 0.0)
+          pool->toll[count++] = (qtr_toll){{of[(i + 1) % 3], of[(i + 2) % 3]}, duals->toll[t]};
+    }
+  }
+  pool->toll_begin[places_of(pool)] = count;
+}
+
+/* What a label pays that goes on to a place: tolls of the triples that it is the second one of. */
+static double toll_at(const qtr_pool *pool, const qtr_label *label, unsigned place) {
+  double toll = 0.0;
+  for (uint32_t i = pool->toll_begin[place]; i < pool->toll_begin[place + 1]; i++)
+    if (qtr_label_has(label, pool->toll[i].other[0]) != qtr_label_has(label, pool->toll[i].other[1]))
+      toll += pool->toll[i].toll;
+  return toll;
 }
 
 /* ---- labels ---- */
@@ -65,10 +112,6 @@ static double net_of_route(const qtr_pool *pool, const qtr_label *label) {
   return label->net + qtr_gains_go_home(gains_of(pool), pool->squad[label->squad].kind, label->node, label->when);
 }
 
-static double least_of(const qtr_pool *pool, unsigned squad) {
-  return pool->squad[squad].most - pool->gap;
-}
-
 /* The label last in the block, not counted yet: another one is there sooner, having collected as much; or it is so to
  * others. */
 static bool is_beaten(qtr_pool *pool, const qtr_label *grown, uint32_t head) {
@@ -88,7 +131,7 @@ static void keep(qtr_pool *pool, qtr_label *grown) {
   pool->head[head] = pool->labels++;
 }
 
-/* On to a place that it has not been to, if that may be within the gap. The label to be is laid out behind the last. */
+/* On to a place that it has not been to, if it may collect enough there. The label to be stands behind the last. */
 static void grow_to(qtr_pool *pool, uint32_t from, unsigned place, qtr_memory memory) {
   const qtr_label *label = qtr_pool_label(pool, from);
   const qtr_gains *gains = gains_of(pool);
@@ -96,11 +139,13 @@ static void grow_to(qtr_pool *pool, uint32_t from, unsigned place, qtr_memory me
   const qtr_steps way = qtr_gains_travel(gains, kind, label->node)[place];
   if (way == QTR_NEVER) return;
   const qtr_steps when = label->when + way;
-  if (label->net + qtr_gains_at(gains, kind, place, memory, when) <= least_of(pool, label->squad)) return;
-  if (!qtr_gains_in_time(gains, kind, place, when)) return;
+  const double all = label->net + qtr_gains_at(gains, kind, place, memory, when);
+  if (all <= pool->least[label->squad]) return;
+  const double toll = toll_at(pool, label, place);
+  if (all - toll <= pool->least[label->squad] || !qtr_gains_in_time(gains, kind, place, when)) return;
   qtr_label *grown = qtr_pool_label(pool, pool->labels);
   memcpy(grown, label, pool->stride);
-  grown->net += qtr_game_worth(pool->bound->game, place, when) - pool->bound->price[place];
+  grown->net += qtr_game_worth(pool->bound->game, place, when) - pool->duals->place[place] - toll;
   grown->when = when;
   grown->before = from;
   grown->node = (uint16_t)place;
@@ -126,7 +171,7 @@ static void grow(qtr_pool *pool, uint32_t from) {
 static bool is_best_route(const qtr_pool *pool, uint32_t label) {
   const qtr_label *own = qtr_pool_label(pool, label);
   const double net = net_of_route(pool, own);
-  if (own->state == LABEL_BEATEN || net <= least_of(pool, own->squad)) return false;
+  if (own->state == LABEL_BEATEN || net <= pool->least[own->squad]) return false;
   for (uint32_t i = pool->head[hash_of(pool, own->set, own->squad)]; i != QTR_NO_LABEL;
        i = qtr_pool_label(pool, i)->next) {
     const qtr_label *other = qtr_pool_label(pool, i);
@@ -155,6 +200,11 @@ static void begin_layer(qtr_pool *pool, uint32_t begin) {
   memset(pool->head, 0xFF, pool->heads * sizeof pool->head[0]);
 }
 
+/* No room for what a label may grow into. */
+static bool is_full(const qtr_pool *pool) {
+  return (uint64_t)pool->labels + places_of(pool) >= pool->labels_most;
+}
+
 static void set_out(qtr_pool *pool, unsigned squad) {
   qtr_label *label = qtr_pool_label(pool, pool->labels);
   memset(label, 0, pool->stride);
@@ -178,26 +228,43 @@ static void lay_out(qtr_pool *pool, void *block, size_t bytes) {
   pool->head = block;
   pool->label = (uint8_t *)block + pool->heads_most * sizeof pool->head[0];
   const size_t labels = (bytes - pool->heads_most * sizeof pool->head[0]) / pool->stride;
-  pool->labels_most = labels < QTR_NO_LABEL ? (uint32_t)labels : QTR_NO_LABEL - 1;
+  pool->labels_room = pool->labels_most = labels < QTR_NO_LABEL ? (uint32_t)labels : QTR_NO_LABEL - 1;
 }
 
-void qtr_pool_begin(qtr_pool *pool, void *block, size_t bytes, const qtr_bound *bound, double target) {
+void qtr_pool_init(qtr_pool *pool, void *block, size_t bytes, const qtr_bound *bound) {
   pool->bound = bound;
   pool->words = (places_of(pool) + 31) / 32;
   pool->stride = (uint32_t)(offsetof(qtr_label, set) + bytes_of_sets(pool));
+  pool->labels = pool->kept = pool->routes = 0;
   lay_out(pool, block, bytes);
   list_squads(pool);
-  pool->gap = pool->upper - target;
-  pool->labels = pool->routes = 0;
+}
+
+/* Those kept collect what they do by the prices in force. */
+static void price_anew(qtr_pool *pool, uint32_t number) {
+  qtr_label *label = qtr_pool_label(pool, number);
+  if (label->before == QTR_NO_LABEL) return;
+  const qtr_label *before = qtr_pool_label(pool, label->before);
+  label->net = before->net + qtr_game_worth(pool->bound->game, label->node, label->when) -
+               pool->duals->place[label->node] - toll_at(pool, before, label->node);
+}
+
+void qtr_pool_begin(qtr_pool *pool, const qtr_duals *duals, const double *least) {
+  pool->duals = duals;
+  memcpy(pool->least, least, pool->squads * sizeof least[0]);
+  list_tolls(pool);
+  for (uint32_t label = 0; label < pool->kept; label++) price_anew(pool, label);
+  qtr_pool_forget_listed(pool);
   pool->heads = LEAST_HEADS;
   memset(pool->head, 0xFF, pool->heads * sizeof pool->head[0]);
-  for (unsigned squad = 0; squad < pool->squads; squad++) set_out(pool, squad);
-  begin_layer(pool, 0);
+  for (unsigned squad = 0; squad < pool->squads && !is_full(pool); squad++) set_out(pool, squad);
+  begin_layer(pool, pool->kept);
 }
 
 enum qtr_listing qtr_pool_go_on(qtr_pool *pool, uint32_t count) {
+  if (is_full(pool)) return QTR_POOL_FULL;
   for (; count > 0 && pool->cursor < pool->layer_end; count--) {
-    if (pool->labels_most - pool->labels <= places_of(pool)) return QTR_POOL_FULL;
+    if (is_full(pool)) return QTR_POOL_FULL;
     grow(pool, pool->cursor++);
   }
   if (pool->cursor < pool->layer_end) return QTR_LISTING;
@@ -210,22 +277,86 @@ bool qtr_pool_is_route(const qtr_pool *pool, uint32_t label) {
   return qtr_pool_label(pool, label)->state == LABEL_ROUTE;
 }
 
-double qtr_pool_worth(const qtr_pool *pool, uint32_t label) {
-  double worth = net_of_route(pool, qtr_pool_label(pool, label));
+double qtr_pool_net(const qtr_pool *pool, uint32_t label) {
+  return net_of_route(pool, qtr_pool_label(pool, label));
+}
+
+double qtr_pool_worth(const qtr_pool *pool, uint32_t number) {
+  const qtr_label *label = qtr_pool_label(pool, number);
+  const qtr_duals *duals = pool->duals;
+  double worth = net_of_route(pool, label);
   for (unsigned place = 0; place < places_of(pool); place++)
-    if (qtr_label_has(qtr_pool_label(pool, label), place)) worth += pool->bound->price[place];
+    if (qtr_label_has(label, place)) worth += duals->place[place];
+  for (uint32_t t = 0; t < duals->triples; t++)
+    if (qtr_triple_counts(&duals->triple[t], label)) worth += duals->toll[t];
   return worth;
 }
 
-unsigned qtr_pool_places(const qtr_pool *pool, uint32_t label, uint16_t *place) {
-  unsigned count = 0, left;
+unsigned qtr_pool_length(const qtr_pool *pool, uint32_t label) {
+  unsigned length = 0;
   for (uint32_t i = label; qtr_pool_label(pool, i)->before != QTR_NO_LABEL; i = qtr_pool_label(pool, i)->before)
-    count++;
-  left = count;
+    length++;
+  return length;
+}
+
+unsigned qtr_pool_places(const qtr_pool *pool, uint32_t label, uint16_t *place) {
+  const unsigned length = qtr_pool_length(pool, label);
+  unsigned left = length;
   for (uint32_t i = label; left > 0; i = qtr_pool_label(pool, i)->before) place[--left] = qtr_pool_label(pool, i)->node;
+  return length;
+}
+
+size_t qtr_pool_bytes(const qtr_pool *pool, uint32_t labels) {
+  return pool->heads_most * sizeof pool->head[0] + (size_t)labels * pool->stride;
+}
+
+/* ---- routes that are kept ---- */
+
+void qtr_pool_mark(qtr_pool *pool, uint32_t label) {
+  qtr_pool_label(pool, label)->state = LABEL_MARKED;
+}
+
+static bool is_kept(const qtr_label *label) {
+  return label->state == LABEL_MARKED || label->state == LABEL_ON_WAY;
+}
+
+/* From the last one on, for each was grown from one further ahead. */
+static void mark_ways(qtr_pool *pool) {
+  for (uint32_t i = pool->labels; i-- > 0;) {
+    const qtr_label *label = qtr_pool_label(pool, i);
+    if (!is_kept(label) || label->before == QTR_NO_LABEL) continue;
+    qtr_label *before = qtr_pool_label(pool, label->before);
+    if (before->state != LABEL_MARKED) before->state = LABEL_ON_WAY;
+  }
+}
+
+/* Each goes by its new number before any is moved. */
+static uint32_t number_anew(qtr_pool *pool) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < pool->labels; i++) {
+    qtr_label *label = qtr_pool_label(pool, i);
+    if (!is_kept(label)) continue;
+    label->next = count++;
+    if (label->before != QTR_NO_LABEL) label->before = qtr_pool_label(pool, label->before)->next;
+  }
   return count;
 }
 
-size_t qtr_pool_bytes(const qtr_pool *pool) {
-  return pool->heads_most * sizeof pool->head[0] + (size_t)pool->labels * pool->stride;
+void qtr_pool_keep_marked(qtr_pool *pool) {
+  mark_ways(pool);
+  const uint32_t count = number_anew(pool);
+  for (uint32_t i = 0; i < pool->labels; i++) {
+    qtr_label *label = qtr_pool_label(pool, i);
+    if (!is_kept(label)) continue;
+    label->state = label->state == LABEL_MARKED ? LABEL_ROUTE : LABEL_BEATEN;
+    if (label->next != i) memcpy(qtr_pool_label(pool, label->next), label, pool->stride);
+  }
+  pool->kept = count;
+  qtr_pool_forget_listed(pool);
+}
+
+void qtr_pool_forget_listed(qtr_pool *pool) {
+  pool->labels = pool->kept;
+  pool->routes = 0;
+  for (uint32_t label = 0; label < pool->kept; label++) pool->routes += qtr_pool_is_route(pool, label);
 }

@@ -1,10 +1,8 @@
 /* The best game out of routes that are listed (search/pool.h): a route for each seeker, each place on one of them.
  *
- * A linear programme over all routes (search/simplex.h, search/triples.h) and, where it mixes routes, branching: two
- * places are on one route or not (Ryan and Foster 1981), or a place is some seekers' or not. The simplex method only
- * proposes prices. What they prove is added up anew from every route: sum of prices + sum over seekers of the most that
- * a route of theirs collects net of them (search/bound.h), with a price of 0 or more for each triple, of whose routes
- * one is in a game at most. Routes that are too far below the most are in no better game, and are dropped.
+ * The linear programme over all routes (search/master.h), with triples as long as they bring something; where it still
+ * mixes routes, branching: two places are on one route or not (Ryan and Foster 1981), or a place is some seekers' or
+ * not. Routes that are too far below the most of their squad are in no better game, and are dropped.
  */
 #ifndef QUARTER_SEARCH_SELECTION_H
 #define QUARTER_SEARCH_SELECTION_H
@@ -14,21 +12,11 @@
 #include <stdint.h>
 
 #include "search/branch.h"
+#include "search/master.h"
 #include "search/play.h"
 #include "search/pool.h"
-#include "search/simplex.h"
-#include "search/triples.h"
 
 #define QTR_SELECTION_DEPTH 120u /* of branches */
-#define QTR_SELECTION_ACTIVE 512u
-
-typedef struct {
-  double worth; /* its way home counted */
-  double net;   /* of prices, when last looked at */
-  uint32_t label;
-  uint8_t off; /* the branch that rules it out, from 1 on; 0: none does */
-  bool in_basis;
-} qtr_choice;
 
 enum qtr_selecting {
   QTR_SELECTING = 0,
@@ -41,29 +29,19 @@ typedef struct {
   const qtr_pool *pool;
   double target, upper; /* on all games that the routes make */
   double node_upper;    /* on those of the branches at hand */
-  double left, scale, finest;
-  qtr_choice *choice;
-  uint32_t choices;
-  qtr_simplex simplex;
-  qtr_triple triple[QTR_MOST_TRIPLES];
-  uint32_t triples, fruitless; /* rounds of triples that brought next to nothing */
-  double round_upper;          /* before the last round */
-  double penalty;              /* for each row of a column that is ruled out */
-  uint32_t entered;            /* columns since all were looked at */
-  double *price;               /* as looked at with: no slack's below 0 */
-  double *sum_of_byte;         /* of prices, for each byte of a set and its 256 values */
-  uint32_t *active;            /* choices that may enter, their rows behind one another */
-  uint32_t actives;
-  uint16_t *row;
-  uint32_t *row_begin;
+  double round_upper;   /* before the last round of triples */
+  uint32_t fruitless;   /* rounds of triples that brought next to nothing */
+  qtr_master master;
   qtr_branch branch[QTR_SELECTION_DEPTH];
   uint32_t depth;
   uint8_t phase;
 } qtr_selection;
 
-/* Begin, in what the pool leaves of its block, aligned for a double; routes of games that are worth more than `target`
- * must all be listed. False: the block is too small. */
-bool qtr_selection_begin(qtr_selection *selection, const qtr_pool *pool, void *block, size_t bytes, double target);
+/* Begin, in what the pool leaves of its block, aligned for a double, from the duals in force, the squads' as much as
+ * any route of theirs collects. Where all routes of games that are worth more than `target` are listed, `upper` bounds
+ * all games. False: the block is too small. */
+bool qtr_selection_begin(qtr_selection *selection, const qtr_pool *pool, void *block, size_t bytes,
+                         const qtr_duals *from, double target);
 
 /* Go on for a bounded amount of work: a look at all routes, or some pivots. */
 enum qtr_selecting qtr_selection_go_on(qtr_selection *selection);

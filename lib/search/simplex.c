@@ -40,7 +40,7 @@ size_t qtr_simplex_bytes(uint32_t rows) {
          block_piece(rows * sizeof(uint16_t));
 }
 
-void qtr_simplex_init(qtr_simplex *simplex, void *block, uint32_t rows, qtr_columns columns, const void *context) {
+void qtr_simplex_init(qtr_simplex *simplex, void *block, uint32_t rows, qtr_column_of columns, const void *context) {
   uint8_t *left = block;
   simplex->rows = simplex->pivots = 0;
   simplex->rows_most = rows;

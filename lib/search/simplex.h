@@ -25,11 +25,11 @@ typedef struct {
 } qtr_column;
 
 /* Fills in the column of that number, 0 and up. */
-typedef void (*qtr_columns)(const void *context, int32_t number, qtr_column *column);
+typedef void (*qtr_column_of)(const void *context, int32_t number, qtr_column *column);
 
 typedef struct {
   uint32_t rows, rows_most;
-  qtr_columns columns;
+  qtr_column_of columns;
   const void *context;
   double widest;   /* room that a price had at first */
   uint32_t pivots; /* since the inverse was worked out anew */
@@ -51,7 +51,7 @@ typedef struct {
 size_t qtr_simplex_bytes(uint32_t rows);
 
 /* No rows, in a block aligned for a double. */
-void qtr_simplex_init(qtr_simplex *simplex, void *block, uint32_t rows, qtr_columns columns, const void *context);
+void qtr_simplex_init(qtr_simplex *simplex, void *block, uint32_t rows, qtr_column_of columns, const void *context);
 
 /* Add a row, its price between `least` and `most`, which it begins at. To be refactored before anything enters. */
 void qtr_simplex_add_row(qtr_simplex *simplex, double right, double least, double most, bool has_slack);

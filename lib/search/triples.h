@@ -8,9 +8,9 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "search/pool.h"
+#include "search/label.h"
 
-#define QTR_MOST_TRIPLES 128u
+#define QTR_MOST_TRIPLES 256u
 
 typedef struct {
   uint16_t place[3]; /* ascending */

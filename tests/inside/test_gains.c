@@ -19,6 +19,7 @@ static qtr_environment *ground;
 static qtr_gains gains;
 static double block[QTR_GAINS_BYTES(1) / sizeof(double) + 1];
 static double price[QTR_MAX_PLACES];
+static double charge[PLACES_MOST * PLACES_MOST];
 
 void setUp(void) {
 }
@@ -32,6 +33,7 @@ static void begin(test_random *random, unsigned columns, unsigned rows) {
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &travel), case_note);
   qtr_gains_init(&gains, block, ground);
+  for (unsigned i = 0; i < PLACES_MOST * PLACES_MOST; i++) charge[i] = 0.0;
   for (unsigned place = 0; place < mission.places; place++)
     price[place] = mission.aim.kind == QTR_TIME ? 4.0 * random_unit(random) - 12.0 : 4.0 * random_unit(random);
 }
@@ -43,8 +45,9 @@ static double enumerate(unsigned node, qtr_steps when, unsigned been) {
     if (been >> place & 1u) continue;
     const qtr_steps way = qtr_board_steps(&game.board, 0, node, place);
     if (way == QTR_NEVER) continue;
-    const double on =
-        qtr_game_worth(&game, place, when + way) - price[place] + enumerate(place, when + way, been | 1u << place);
+    const double on = qtr_game_worth(&game, place, when + way) - price[place] +
+                      enumerate(place, when + way, been | 1u << place) -
+                      (node < mission.places ? charge[node * mission.places + place] : 0.0);
     if (on > best) best = on;
   }
   return best;
@@ -113,6 +116,33 @@ static void test_gains_are_no_less_than_any_walk_on(void) {
   }
 }
 
+static void test_moves_that_are_charged_are_not_free(void) {
+  unsigned dearer = 0, exact = 0;
+  for (unsigned number = 0; number < random_cases(200); number++) {
+    test_random random = random_case("charges", number);
+    begin(&random, 9, 7);
+    qtr_gains_cut(&gains, far_enough());
+    while (qtr_gains_remember_more(&gains)) {}
+    TEST_ASSERT_TRUE(qtr_gains_fill(&gains, price));
+    const double before = walk_of(0);
+    for (unsigned i = 0; i < (unsigned)mission.places * mission.places; i++)
+      charge[i] = random_chance(&random, 50) ? 4.0 * random_unit(&random) : 0.0;
+    qtr_gains_charge(&gains, charge);
+    TEST_ASSERT_TRUE(qtr_gains_fill(&gains, price));
+    TEST_ASSERT_TRUE_MESSAGE(walk_of(0) >= truth_of(0) - 1e-9, case_note);
+    dearer += truth_of(0) < before - 1e-6;
+    if (gains.near.count[mission.places - 1] + 1u == mission.places && gains.slot_steps == 1) {
+      exact++;
+      TEST_ASSERT_TRUE_MESSAGE(fabs(walk_of(0) - truth_of(0)) < 1e-9, case_note);
+    }
+    qtr_gains_charge(&gains, NULL);
+    TEST_ASSERT_TRUE(qtr_gains_fill(&gains, price));
+    TEST_ASSERT_TRUE_MESSAGE(walk_of(0) == before, case_note);
+  }
+  TEST_ASSERT_GREATER_THAN(random_cases(20), dearer);
+  TEST_ASSERT_GREATER_THAN(random_cases(100), exact);
+}
+
 static void begin_long_ways(test_random *random) {
   begin(random, 8, 6);
   for (unsigned cell = 0; cell < (unsigned)mission.columns * mission.rows; cell++)
@@ -151,6 +181,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_walks_that_remember_all_are_those_that_repeat_nothing);
   RUN_TEST(test_gains_are_no_less_than_any_walk_on);
+  RUN_TEST(test_moves_that_are_charged_are_not_free);
   RUN_TEST(test_lines_between_slots_are_above_the_truth_and_near_it);
   return UNITY_END();
 }

@@ -22,7 +22,9 @@ static qtr_bound bound;
 static double gains[QTR_GAINS_BYTES(1) / sizeof(double) + 1];
 static qtr_pool pool;
 static double block[POOL_BYTES / sizeof(double)];
-static double target;
+static qtr_duals duals;
+static double charge[PLACES_MOST * PLACES_MOST];
+static double least[QTR_MAX_SEEKERS];
 static unsigned routes; /* enumerated, that must be listed */
 
 void setUp(void) {
@@ -31,7 +33,25 @@ void setUp(void) {
 void tearDown(void) {
 }
 
-/* A random game under random prices, and a target below what they prove. */
+/* Some triples, with tolls that C takes by halves. */
+static void charge_tolls(test_random *random) {
+  for (unsigned i = 0; i < PLACES_MOST * PLACES_MOST; i++) charge[i] = 0.0;
+  for (unsigned tries = random_below(random, 4); tries > 0 && mission.places >= 3; tries--) {
+    uint16_t *of = duals.triple[duals.triples].place;
+    const double toll = random_unit(random) * fabs(bound.price[0]);
+    of[0] = (uint16_t)random_below(random, mission.places - 2u);
+    of[1] = (uint16_t)random_in(random, of[0] + 1, mission.places - 2u);
+    of[2] = (uint16_t)random_in(random, of[1] + 1, mission.places - 1u);
+    duals.toll[duals.triples++] = toll;
+    for (unsigned i = 0; i < 3; i++)
+      for (unsigned j = 0; j < 3; j++)
+        if (i != j) charge[of[i] * mission.places + of[j]] += 0.5 * toll;
+  }
+  qtr_gains_charge(&bound.gains, charge);
+  qtr_gains_fill(&bound.gains, duals.place);
+}
+
+/* A random game under random prices, and what routes are to collect. */
 static void begin(test_random *random) {
   qtr_play play;
   mission_random(&mission, random, (mission_size){9, 7, PLACES_MOST, 3});
@@ -44,8 +64,14 @@ static void begin(test_random *random) {
   for (unsigned place = 0; place < mission.places; place++)
     bound.price[place] += fabs(bound.price[place]) * (random_unit(random) - 0.5);
   qtr_bound_settle(&bound);
-  target = play.score.worth - random_unit(random) * 0.1 * fabs(play.score.worth);
-  qtr_pool_begin(&pool, block, sizeof block, &bound, target);
+  qtr_pool_init(&pool, block, sizeof block, &bound);
+  qtr_pool_duals(&pool, &duals);
+  const double gap = qtr_pool_upper(&pool, &duals) - play.score.worth;
+  TEST_ASSERT_TRUE_MESSAGE(gap >= -1e-9 * fabs(play.score.worth), case_note);
+  for (unsigned squad = 0; squad < pool.squads; squad++)
+    least[squad] = duals.squad[squad] - gap - random_unit(random) * 0.1 * fabs(play.score.worth);
+  charge_tolls(random);
+  qtr_pool_begin(&pool, &duals, least);
 }
 
 static enum qtr_listing list(void) {
@@ -62,6 +88,21 @@ typedef struct {
   uint16_t place[PLACES_MOST];
 } route;
 
+static bool has(const route *r, unsigned place) {
+  for (unsigned i = 0; i < r->length; i++)
+    if (r->place[i] == place) return true;
+  return false;
+}
+
+static double tolls_of(const route *r) {
+  double tolls = 0.0;
+  for (uint32_t t = 0; t < duals.triples; t++) {
+    const uint16_t *of = duals.triple[t].place;
+    if (has(r, of[0]) + has(r, of[1]) + has(r, of[2]) >= 2) tolls += duals.toll[t];
+  }
+  return tolls;
+}
+
 static double net_of(const route *r, unsigned seeker) {
   unsigned node = (unsigned)game.board.places + game.board.start_of[seeker];
   qtr_steps when = 0;
@@ -73,7 +114,7 @@ static double net_of(const route *r, unsigned seeker) {
     net += qtr_game_worth(&game, r->place[i], when) - bound.price[r->place[i]];
     node = r->place[i];
   }
-  return net;
+  return net - tolls_of(r);
 }
 
 static bool has_places(const qtr_label *label, const route *r) {
@@ -86,7 +127,7 @@ static bool has_places(const qtr_label *label, const route *r) {
 
 /* One with the same places that is no worse. */
 static void expect_listed(const route *r, unsigned seeker, double net) {
-  double worth = net;
+  double worth = net + tolls_of(r);
   for (unsigned i = 0; i < r->length; i++) worth += bound.price[r->place[i]];
   for (uint32_t label = 0; label < pool.labels; label++) {
     if (!qtr_pool_is_route(&pool, label) || !has_places(qtr_pool_label(&pool, label), r)) continue;
@@ -100,12 +141,10 @@ static void expect_listed(const route *r, unsigned seeker, double net) {
 
 static void enumerate(route *r, unsigned seeker) {
   const double net = net_of(r, seeker);
-  const double least = pool.squad[pool.squad_of[seeker]].most - pool.gap;
-  if (net > least + 1e-9 * fmax(1.0, fabs(least))) expect_listed(r, seeker, net);
+  const double enough = least[pool.squad_of[seeker]];
+  if (net > enough + 1e-9 * fmax(1.0, fabs(enough))) expect_listed(r, seeker, net);
   for (uint16_t place = 0; place < mission.places; place++) {
-    bool been = false;
-    for (unsigned i = 0; i < r->length; i++) been = been || r->place[i] == place;
-    if (been) continue;
+    if (has(r, place)) continue;
     r->place[r->length++] = place;
     enumerate(r, seeker);
     r->length--;
@@ -141,7 +180,7 @@ static void test_listed_routes_are_worth_what_their_places_bring(void) {
       if (!qtr_pool_is_route(&pool, label)) continue;
       r.length = qtr_pool_places(&pool, label, r.place);
       while (pool.squad_of[seeker] != qtr_pool_label(&pool, label)->squad) seeker++;
-      worth = net_of(&r, seeker);
+      worth = net_of(&r, seeker) + tolls_of(&r);
       for (unsigned i = 0; i < r.length; i++) worth += bound.price[r.place[i]];
       TEST_ASSERT_TRUE_MESSAGE(fabs(qtr_pool_worth(&pool, label) - worth) <= 1e-9 * fmax(1.0, fabs(worth)), case_note);
       for (unsigned i = 0; i < r.length; i++) set |= 1u << r.place[i];
@@ -150,13 +189,59 @@ static void test_listed_routes_are_worth_what_their_places_bring(void) {
   }
 }
 
+/* A route as it was when it was kept. */
+typedef struct {
+  route r;
+  unsigned squad;
+  double worth;
+} kept;
+
+static void expect_kept(const kept *k) {
+  for (uint32_t label = 0; label < pool.kept; label++) {
+    route r = {0, {0}};
+    if (!qtr_pool_is_route(&pool, label) || qtr_pool_label(&pool, label)->squad != k->squad) continue;
+    r.length = qtr_pool_places(&pool, label, r.place);
+    if (r.length != k->r.length || memcmp(r.place, k->r.place, r.length * sizeof r.place[0]) != 0) continue;
+    TEST_ASSERT_TRUE_MESSAGE(fabs(qtr_pool_worth(&pool, label) - k->worth) <= 1e-9 * fmax(1.0, fabs(k->worth)),
+                             case_note);
+    return;
+  }
+  TEST_FAIL_MESSAGE(case_note);
+}
+
+/* Whatever is listed behind them, by whatever prices. */
+static void test_routes_that_are_kept_stay_what_they_are(void) {
+  static kept list_of[1u << PLACES_MOST];
+  for (unsigned number = 0; number < random_cases(120); number++) {
+    test_random random = random_case("kept", number);
+    unsigned count = 0;
+    begin(&random);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_LISTED, list(), case_note);
+    for (uint32_t label = 0; label < pool.labels; label++) {
+      if (!qtr_pool_is_route(&pool, label) || !random_chance(&random, 20) || count == 1u << PLACES_MOST) continue;
+      kept *k = &list_of[count++];
+      k->r.length = qtr_pool_places(&pool, label, k->r.place);
+      k->squad = qtr_pool_label(&pool, label)->squad;
+      k->worth = qtr_pool_worth(&pool, label);
+      qtr_pool_mark(&pool, label);
+    }
+    qtr_pool_keep_marked(&pool);
+    TEST_ASSERT_EQUAL_MESSAGE(count, pool.routes, case_note);
+    for (unsigned place = 0; place < mission.places; place++) duals.place[place] *= 1.0 + 0.2 * random_unit(&random);
+    qtr_gains_fill(&bound.gains, duals.place);
+    qtr_pool_begin(&pool, &duals, least);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_LISTED, list(), case_note);
+    for (unsigned i = 0; i < count; i++) expect_kept(&list_of[i]);
+  }
+}
+
 static void test_full_block_is_told(void) {
   test_random random = random_case("small block", 1);
   do begin(&random);
   while (mission.places < PLACES_MOST);
-  bound.price[0] = 0.0;
-  qtr_bound_settle(&bound);
-  qtr_pool_begin(&pool, block, 2048 + 10 * (size_t)pool.stride, &bound, -1e9);
+  for (unsigned squad = 0; squad < pool.squads; squad++) least[squad] = -1e9;
+  pool.labels_most = 10;
+  qtr_pool_begin(&pool, &duals, least);
   TEST_ASSERT_EQUAL_INT(QTR_POOL_FULL, list());
   TEST_ASSERT_LESS_OR_EQUAL(pool.labels_most, pool.labels);
 }
@@ -165,6 +250,7 @@ int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_every_route_within_the_gap_is_listed_or_a_better_one_with_its_places);
   RUN_TEST(test_listed_routes_are_worth_what_their_places_bring);
+  RUN_TEST(test_routes_that_are_kept_stay_what_they_are);
   RUN_TEST(test_full_block_is_told);
   return UNITY_END();
 }

@@ -22,6 +22,7 @@ static qtr_environment *ground;
 static qtr_bound bound;
 static double gains[QTR_GAINS_BYTES(1) / sizeof(double) + 1];
 static qtr_pool pool;
+static qtr_duals duals;
 static qtr_selection selection;
 static uint64_t block[POOL_BYTES / 8];
 static qtr_routes routes;
@@ -55,7 +56,12 @@ static double target(void) {
 
 static void list(void) {
   enum qtr_listing status;
-  qtr_pool_begin(&pool, block, sizeof block, &bound, target());
+  double least[QTR_MAX_SEEKERS];
+  qtr_pool_init(&pool, block, sizeof block, &bound);
+  qtr_pool_duals(&pool, &duals);
+  const double gap = qtr_pool_upper(&pool, &duals) - target();
+  for (unsigned squad = 0; squad < pool.squads; squad++) least[squad] = duals.squad[squad] - gap;
+  qtr_pool_begin(&pool, &duals, least);
   do status = qtr_pool_go_on(&pool, 1000);
   while (status == QTR_LISTING);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_LISTED, status, case_note);
@@ -70,15 +76,16 @@ static void take_game(void) {
 
 /* Choose to the end; at no time is the bound below the optimum. */
 static void choose(double optimum) {
-  const size_t used = qtr_pool_bytes(&pool);
+  const size_t used = qtr_pool_bytes(&pool, pool.labels);
   const double slack = NEAR * fmax(1.0, fabs(optimum));
   enum qtr_selecting status;
-  TEST_ASSERT_TRUE(qtr_selection_begin(&selection, &pool, (uint8_t *)block + used, sizeof block - used, target()));
+  TEST_ASSERT_TRUE(
+      qtr_selection_begin(&selection, &pool, (uint8_t *)block + used, sizeof block - used, &duals, target()));
   do {
     status = qtr_selection_go_on(&selection);
     if (status == QTR_SELECTION_GAME) take_game();
     TEST_ASSERT_TRUE_MESSAGE(selection.upper >= optimum - slack, case_note);
-    triples += selection.triples > 0;
+    triples += selection.master.triples > 0;
     branches += selection.depth > 0;
   } while (status == QTR_SELECTING || status == QTR_SELECTION_GAME);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_SELECTED, status, case_note);
@@ -116,7 +123,7 @@ static double learnt_optimum(void) {
 static void test_mixtures_are_taken_apart_by_triples_and_branches(void) {
   for (unsigned number = 0; number < random_cases(24); number++) {
     test_random random = random_case("larger games", number);
-    scattered_make(&mission, &game, &travel, number + 1, 24, 14, 3, number % 2 ? QTR_TIME : QTR_DISCOUNTED);
+    scattered_make(&mission, &game, &travel, number + 1, 24, 14, 4, number % 2 ? QTR_TIME : QTR_DISCOUNTED);
     for (unsigned place = 0; place < mission.places; place++) mission.weight[place] = random_in(&random, 4, 6);
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
     begin(&random, 200, 0.05);
@@ -133,7 +140,7 @@ static void test_block_that_is_too_small_is_told(void) {
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL));
   begin(&random, 1, 0.0);
   list();
-  TEST_ASSERT_FALSE(qtr_selection_begin(&selection, &pool, block, 1000, best.score.worth));
+  TEST_ASSERT_FALSE(qtr_selection_begin(&selection, &pool, block, 1000, &duals, best.score.worth));
 }
 
 int main(void) {
