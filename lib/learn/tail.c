@@ -11,12 +11,13 @@
 #include "search/pool.h"
 #include "search/selection.h"
 
-#define FIRST_LABELS (1u << 17) /* of the first list of all routes; each that fails is followed by one twice as long */
+#define FIRST_LABELS (1u << 17) /* of the first list of all routes; each that fails is followed by a longer one */
+#define LONGER 4u
 #define LABELS_TO_TRY (1u << 19)
 #define STEPS_TO_TRY 2000u
 #define ROOM_TO_PRICE 0.75 /* of the room, for labels while routes are priced */
 #define NARROWER 0.5       /* of the gap: some of the routes where all are too many */
-#define LEAST_SHARE 1e-3
+#define LEAST_SHARE 0.2
 #define LESS 0.8           /* of the gap, before all routes are listed once more */
 #define FIRST_ROUND 2u     /* of triples, likewise */
 #define FIRST_EPISODES 64u /* before all is tried anew; after each failure four times as many */
@@ -60,6 +61,7 @@ void qtr_tail_init(qtr_learner *learner, void *block, size_t bytes) {
   if (block == NULL || bytes <= needed || (uintptr_t)block % sizeof(uint64_t) != 0) return;
   qtr_tail *tail = learner->tail = block;
   tail->phase = TAIL_WAITS;
+  tail->labels = FIRST_LABELS;
   tail->episodes = 0;
   tail->wait = FIRST_EPISODES;
   tail->listed = (uint8_t *)tail->block;
@@ -110,7 +112,7 @@ static void list_all(qtr_learner *learner) {
   tail->gap = gap_of(learner);
   tail->rounds = 0;
   begin_list(learner, 1.0, tail->labels);
-  if (tail->labels < UINT32_MAX / 2) tail->labels *= 2;
+  if (tail->labels < UINT32_MAX / LONGER) tail->labels *= LONGER;
 }
 
 static void begin(qtr_learner *learner) {
@@ -121,7 +123,6 @@ static void begin(qtr_learner *learner) {
   const size_t used = qtr_pool_bytes(&tail->pool, labels);
   const qtr_columns_room room = {tail->charge, tail->listed + used, tail->bytes - used, labels};
   qtr_columns_begin(&tail->columns, &learner->bound, &tail->pool, &room, target_of(learner));
-  tail->labels = FIRST_LABELS;
   tail->is_priced = false;
   list_all(learner);
 }
@@ -131,7 +132,7 @@ static bool begin_selection(qtr_learner *learner) {
   qtr_tail *tail = learner->tail;
   const size_t used = qtr_pool_bytes(&tail->pool, tail->pool.labels);
   return qtr_selection_begin(&tail->selection, &tail->pool, tail->listed + used, tail->bytes - used,
-                             &tail->columns.center, target_of(learner));
+                             &tail->columns.center, &tail->columns.basis, target_of(learner));
 }
 
 static void begin_choice(qtr_learner *learner) {
@@ -152,11 +153,17 @@ static void begin_try(qtr_learner *learner) {
   if (!begin_selection(learner)) price_on(learner);
 }
 
+/* Of one seeker alone each route is a game: prices bring nothing that episodes do not. */
 static void list_some(qtr_learner *learner) {
-  if (learner->tail->share > LEAST_SHARE)
-    begin_list(learner, NARROWER * learner->tail->share, LABELS_TO_TRY);
-  else
+  qtr_tail *tail = learner->tail;
+  if (learner->game->board.seekers == 1) {
     wait_for_next(learner);
+  } else if (NARROWER * tail->share > LEAST_SHARE) {
+    begin_list(learner, NARROWER * tail->share, LABELS_TO_TRY);
+  } else {
+    qtr_pool_forget_listed(&tail->pool);
+    price_on(learner);
+  }
 }
 
 static void list(qtr_learner *learner) {

@@ -35,6 +35,7 @@ void qtr_columns_begin(qtr_columns *c, qtr_bound *bound, qtr_pool *pool, const q
   c->target = target;
   qtr_pool_duals(pool, &c->center);
   c->upper = qtr_pool_upper(pool, &c->center);
+  c->basis.rows = c->basis.routes = 0;
   c->box = FIRST_BOX;
   c->fruitless = c->barren = c->raised = 0;
   c->phase = PHASE_BEGIN;
@@ -44,7 +45,7 @@ void qtr_columns_begin(qtr_columns *c, qtr_bound *bound, qtr_pool *pool, const q
 
 static void begin_master(qtr_columns *c) {
   const qtr_boxes boxes = {c->box, SQUADS_BOX};
-  if (!qtr_master_begin(&c->master, c->pool, c->room.block, c->room.bytes, &c->center, &boxes)) {
+  if (!qtr_master_begin(&c->master, c->pool, c->room.block, c->room.bytes, &c->center, &c->basis, &boxes)) {
     c->phase = PHASE_STUCK;
     return;
   }
@@ -79,7 +80,8 @@ static void keep_near(qtr_columns *c) {
   while (below > LEAST_GAIN * c->master.scale && measure_near(c, below) > c->labels / 2) below *= NARROWER;
   for (uint32_t i = 0; i < c->master.choices; i++)
     if (is_near(c, i, below)) qtr_pool_mark(c->pool, c->master.choice[i].label);
-  qtr_pool_keep_marked(c->pool);
+  qtr_master_basis(&c->master, &c->basis);
+  qtr_pool_keep_marked(c->pool, c->basis.label, c->basis.routes);
 }
 
 static void propose(qtr_columns *c) {
@@ -171,7 +173,7 @@ static uint32_t find_most(qtr_columns *c) {
 static void keep_listed(qtr_columns *c) {
   for (uint32_t i = 0; i < c->pool->labels; i++)
     if (qtr_pool_is_route(c->pool, i)) qtr_pool_mark(c->pool, i);
-  qtr_pool_keep_marked(c->pool);
+  qtr_pool_keep_marked(c->pool, c->basis.label, c->basis.routes);
 }
 
 /* The programme over what is at hand then; but not for ever, if the bound comes down no more. */
@@ -207,7 +209,10 @@ static bool has_triple(const qtr_duals *duals, const qtr_triple *triple) {
 static bool add_triples(qtr_columns *c) {
   qtr_duals *center = &c->center;
   const uint32_t most = qtr_master_triples_most(c->pool);
-  if (center->triples + c->broken > most) forget_triples(center);
+  if (center->triples + c->broken > most) {
+    forget_triples(center);
+    c->basis.rows = 0;
+  }
   const uint32_t before = center->triples;
   for (uint32_t i = 0; i < c->broken && center->triples < most; i++) {
     if (has_triple(center, &c->triple[i])) continue;

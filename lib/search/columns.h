@@ -48,6 +48,7 @@ typedef struct {
   double upper;       /* on all games, that the center's prices prove */
   qtr_duals center;   /* the best prices so far, and as much of each squad as any route of its collects */
   qtr_duals trial;    /* being tried */
+  qtr_basis basis;    /* that the programme ended in */
   double model;       /* what these would prove if there were no other routes than those at hand */
   double box;         /* how far from the center, in parts of the master's scale */
   uint32_t fruitless; /* rounds in a row that brought no triples */

@@ -49,6 +49,10 @@ static uint32_t row_of_triple(const qtr_master *m, uint32_t triple) {
   return places_of(m) + m->pool->squads + triple;
 }
 
+static bool counts(const qtr_choice *choice, uint32_t triple) {
+  return (choice->counts[triple / 8] >> (triple % 8) & 1u) != 0;
+}
+
 static void list_rows(const qtr_master *m, uint32_t choice, qtr_column *column) {
   const qtr_label *label = qtr_master_label(m, choice);
   column->worth = m->choice[choice].worth;
@@ -57,7 +61,7 @@ static void list_rows(const qtr_master *m, uint32_t choice, qtr_column *column) 
     if (qtr_label_has(label, place)) column->row[column->count++] = (uint16_t)place;
   column->row[column->count++] = (uint16_t)row_of_squad(m, label->squad);
   for (uint32_t t = 0; t < m->triples; t++)
-    if (qtr_triple_counts(&m->triple[t], label)) column->row[column->count++] = (uint16_t)row_of_triple(m, t);
+    if (counts(&m->choice[choice], t)) column->row[column->count++] = (uint16_t)row_of_triple(m, t);
 }
 
 /* For the simplex method: what is ruled out must not pay. */
@@ -65,6 +69,19 @@ static void column_of(const void *context, int32_t number, qtr_column *column) {
   const qtr_master *m = context;
   list_rows(m, (uint32_t)number, column);
   if (m->choice[number].off != 0) column->worth -= m->penalty * (double)column->count;
+}
+
+/* For which of the triples from `first` on each of the routes counts. */
+static void count_triples(qtr_master *m, uint32_t first) {
+  for (uint32_t i = 0; i < m->choices; i++) {
+    const qtr_label *label = qtr_master_label(m, i);
+    uint8_t *of_choice = m->choice[i].counts;
+    for (uint32_t t = first; t < m->triples; t++) {
+      const uint8_t bit = (uint8_t)(1u << (t % 8));
+      of_choice[t / 8] =
+          (uint8_t)(qtr_triple_counts(&m->triple[t], label) ? of_choice[t / 8] | bit : of_choice[t / 8] & ~bit);
+    }
+  }
 }
 
 static void add_rows(qtr_master *m, const qtr_duals *from, const qtr_boxes *boxes) {
@@ -81,7 +98,7 @@ static void add_rows(qtr_master *m, const qtr_duals *from, const qtr_boxes *boxe
     qtr_simplex_add_row(&m->simplex, 1.0, from->toll[t] - box, from->toll[t] + box, true);
   }
   m->triples = from->triples;
-  qtr_simplex_refactor(&m->simplex);
+  count_triples(m, 0);
 }
 
 /* ---- set-up ---- */
@@ -90,8 +107,10 @@ static void list_choices(qtr_master *m) {
   m->choices = 0;
   for (uint32_t label = 0; label < m->pool->labels; label++)
     if (qtr_pool_is_route(m->pool, label))
-      m->choice[m->choices++] = (qtr_choice){qtr_pool_worth(m->pool, label), 0.0, label, 0, false};
+      m->choice[m->choices++] = (qtr_choice){qtr_pool_worth(m->pool, label), 0.0, label, 0, false, {0}};
 }
+
+static const size_t bytes_of_triples = QTR_MOST_TRIPLES / 8;
 
 static uint32_t bytes_of_set(const qtr_master *m) {
   return (places_of(m) + 7) / 8;
@@ -109,7 +128,7 @@ static uint32_t rows_of(const qtr_master *m) {
 static size_t bytes_of(const qtr_master *m) {
   const uint32_t rows = rows_of(m);
   return (size_t)m->pool->routes * sizeof(qtr_choice) + qtr_simplex_bytes(rows) + 2 * rows * sizeof(double) +
-         block_piece(rows * sizeof(qtr_label *)) + (size_t)bytes_of_set(m) * 256 * sizeof(double) +
+         block_piece(rows * sizeof(qtr_label *)) + (bytes_of_set(m) + bytes_of_triples) * 256 * sizeof(double) +
          block_piece((QTR_MASTER_ACTIVE + 1) * sizeof(uint32_t)) * 2 + block_piece(ROW_ROOM * sizeof(uint16_t));
 }
 
@@ -120,14 +139,47 @@ static void lay_out(qtr_master *m, uint8_t *block) {
   m->share = block_cut(&block, rows * sizeof(double));
   m->mixed = block_cut(&block, rows * sizeof(qtr_label *));
   m->sum_of_byte = block_cut(&block, (size_t)bytes_of_set(m) * 256 * sizeof(double));
+  m->toll_of_byte = block_cut(&block, bytes_of_triples * 256 * sizeof(double));
   m->active = block_cut(&block, (QTR_MASTER_ACTIVE + 1) * sizeof(uint32_t));
   m->row_begin = block_cut(&block, (QTR_MASTER_ACTIVE + 1) * sizeof(uint32_t));
   m->row = block_cut(&block, ROW_ROOM * sizeof(uint16_t));
   qtr_simplex_init(&m->simplex, block, rows, column_of, m);
 }
 
+/* Choices stand in the order of their labels. */
+static uint32_t choice_of(const qtr_master *m, uint32_t label) {
+  uint32_t low = 0, high = m->choices;
+  while (low + 1 < high) {
+    const uint32_t middle = low + (high - low) / 2;
+    if (m->choice[middle].label <= label)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+/* Rows that are new begin with their own elastic columns. */
+static void take_basis(qtr_master *m, const qtr_basis *basis) {
+  if (basis->rows > m->simplex.rows) return;
+  for (uint32_t i = 0; i < basis->routes; i++) m->simplex.basis[i] = (int32_t)choice_of(m, basis->label[i]);
+  for (uint32_t i = basis->routes; i < basis->rows; i++) m->simplex.basis[i] = basis->elastic[i - basis->routes];
+}
+
+void qtr_master_basis(const qtr_master *m, qtr_basis *basis) {
+  basis->rows = m->simplex.rows;
+  basis->routes = 0;
+  for (uint32_t i = 0; i < basis->rows; i++) {
+    const int32_t number = m->simplex.basis[i];
+    if (number >= 0)
+      basis->label[basis->routes++] = m->choice[number].label;
+    else
+      basis->elastic[i - basis->routes] = number;
+  }
+}
+
 bool qtr_master_begin(qtr_master *m, const qtr_pool *pool, void *block, size_t bytes, const qtr_duals *from,
-                      const qtr_boxes *boxes) {
+                      const qtr_basis *basis, const qtr_boxes *boxes) {
   m->pool = pool;
   if (bytes < bytes_of(m)) return false;
   lay_out(m, block);
@@ -137,23 +189,33 @@ bool qtr_master_begin(qtr_master *m, const qtr_pool *pool, void *block, size_t b
   m->penalty = PENALTY * m->scale;
   list_choices(m);
   add_rows(m, from, boxes);
+  take_basis(m, basis);
+  qtr_simplex_refactor(&m->simplex);
   return true;
 }
 
 /* ---- a look at all routes ---- */
+
+/* Of eight prices at most, the sum for each value of a byte. */
+static void sum_up(double *sum, const double *price, uint32_t count) {
+  sum[0] = 0.0;
+  for (unsigned bit = 0; bit < 8; bit++)
+    for (unsigned less = 0; less < 1u << bit; less++)
+      sum[(1u << bit) + less] = sum[less] + (bit < count ? price[bit] : 0.0);
+}
+
+static void sum_up_all(double *sum, const double *price, uint32_t count) {
+  for (uint32_t first = 0; first < count; first += 8)
+    sum_up(sum + 256 * (size_t)(first / 8), price + first, count - first);
+}
 
 static void take_prices(qtr_master *m) {
   for (uint32_t row = 0; row < m->simplex.rows; row++) {
     const double price = m->simplex.price[row];
     m->price[row] = m->simplex.has_slack[row] && price < 0.0 ? 0.0 : price;
   }
-  for (uint32_t byte = 0; byte < bytes_of_set(m); byte++) {
-    double *sum = m->sum_of_byte + 256 * (size_t)byte;
-    sum[0] = 0.0;
-    for (unsigned bit = 0; bit < 8; bit++)
-      for (unsigned less = 0; less < 1u << bit; less++)
-        sum[(1u << bit) + less] = sum[less] + (8 * byte + bit < places_of(m) ? m->price[8 * byte + bit] : 0.0);
-  }
+  sum_up_all(m->sum_of_byte, m->price, places_of(m));
+  sum_up_all(m->toll_of_byte, m->price + row_of_triple(m, 0), m->triples);
 }
 
 static double net_of(const qtr_master *m, uint32_t choice) {
@@ -161,10 +223,8 @@ static double net_of(const qtr_master *m, uint32_t choice) {
   double net = m->choice[choice].worth;
   for (uint32_t byte = 0; byte < bytes_of_set(m); byte++)
     net -= m->sum_of_byte[256 * (size_t)byte + (label->set[byte / 4] >> (8 * (byte % 4)) & 0xFF)];
-  for (uint32_t t = 0; t < m->triples; t++) {
-    const double price = m->price[row_of_triple(m, t)];
-    if (price > 0.0 && qtr_triple_counts(&m->triple[t], label)) net -= price;
-  }
+  for (uint32_t byte = 0; 8 * byte < m->triples; byte++)
+    net -= m->toll_of_byte[256 * (size_t)byte + m->choice[choice].counts[byte]];
   return net;
 }
 
@@ -296,12 +356,16 @@ static void forget_triples(qtr_master *m) {
 
 bool qtr_master_add_triples(qtr_master *m, const qtr_mixture *mixture) {
   const uint32_t most = qtr_master_triples_most(m->pool);
-  if (m->triples + TRIPLES_A_ROUND > most) forget_triples(m);
+  if (m->triples + TRIPLES_A_ROUND > most) {
+    forget_triples(m);
+    count_triples(m, 0);
+  }
   const unsigned room = most - m->triples;
   const unsigned found = qtr_triples_broken(mixture, places_of(m), &m->triple[m->triples],
                                             room < TRIPLES_A_ROUND ? room : TRIPLES_A_ROUND);
   for (unsigned i = 0; i < found; i++) qtr_simplex_add_row(&m->simplex, 1.0, 0.0, m->scale, true);
   m->triples += found;
+  count_triples(m, m->triples - found);
   qtr_simplex_refactor(&m->simplex);
   return found > 0;
 }

@@ -17,6 +17,7 @@
 #include "search/triples.h"
 
 #define QTR_MASTER_ACTIVE 512u
+#define QTR_MASTER_ROWS (QTR_MAX_PLACES + QTR_MAX_SEEKERS + QTR_MOST_TRIPLES)
 #define QTR_MASTER_LEAST_SHARE 1e-4 /* of a route: what is less is none, or rows that are shifted */
 
 /* A route that may be chosen. */
@@ -26,6 +27,7 @@ typedef struct {
   uint32_t label;
   uint8_t off; /* what rules it out, from 1 on; 0: nothing does */
   bool in_basis;
+  uint8_t counts[QTR_MOST_TRIPLES / 8]; /* bit t % 8 of byte t / 8: for triple t */
 } qtr_choice;
 
 typedef struct {
@@ -41,7 +43,8 @@ typedef struct {
   uint32_t entered;    /* columns since all were looked at */
   double *price;       /* as looked at with: no slack's below 0 */
   double *sum_of_byte; /* of prices, for each byte of a set and its 256 values */
-  uint32_t *active;    /* choices that may enter, their rows behind one another */
+  double *toll_of_byte;
+  uint32_t *active; /* choices that may enter, their rows behind one another */
   uint32_t actives;
   uint16_t *row;
   uint32_t *row_begin;
@@ -54,13 +57,23 @@ typedef struct {
   double of_places, of_squads;
 } qtr_boxes;
 
+/* What a programme ended in, for one of the same rows, and more behind them, to begin with. */
+typedef struct {
+  uint32_t rows; /* 0: nothing is known */
+  uint32_t routes;
+  uint32_t label[QTR_MASTER_ROWS]; /* routes in the basis */
+  int32_t elastic[QTR_MASTER_ROWS];
+} qtr_basis;
+
 /* Rows that there is room for: of triples. */
 uint32_t qtr_master_triples_most(const qtr_pool *pool);
 
 /* Begin with the routes of a pool, whose listing is over, in a block aligned for a double, at prices that are near the
- * programme's. False: the block is too small. */
+ * programme's, and with a basis of routes among them. False: the block is too small. */
 bool qtr_master_begin(qtr_master *master, const qtr_pool *pool, void *block, size_t bytes, const qtr_duals *from,
-                      const qtr_boxes *boxes);
+                      const qtr_basis *basis, const qtr_boxes *boxes);
+
+void qtr_master_basis(const qtr_master *master, qtr_basis *basis);
 
 /* A gain is nothing that is next to nothing beside a gap, and beside the worth that is aimed at. */
 void qtr_master_be_as_fine(qtr_master *master, double gap, double target);

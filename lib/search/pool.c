@@ -342,9 +342,10 @@ static uint32_t number_anew(qtr_pool *pool) {
   return count;
 }
 
-void qtr_pool_keep_marked(qtr_pool *pool) {
+void qtr_pool_keep_marked(qtr_pool *pool, uint32_t *number, uint32_t numbers) {
   mark_ways(pool);
   const uint32_t count = number_anew(pool);
+  for (uint32_t i = 0; i < numbers; i++) number[i] = qtr_pool_label(pool, number[i])->next;
   for (uint32_t i = 0; i < pool->labels; i++) {
     qtr_label *label = qtr_pool_label(pool, i);
     if (!is_kept(label)) continue;

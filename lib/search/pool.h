@@ -70,9 +70,9 @@ void qtr_pool_begin(qtr_pool *pool, const qtr_duals *duals, const double *least)
 enum qtr_listing qtr_pool_go_on(qtr_pool *pool, uint32_t count);
 
 /* Keep routes: mark them one by one, then forget all others, and what was found of those being listed. Labels go by
- * other numbers then, in the order that they had. */
+ * other numbers then, in the order that they had; `count` numbers of marked ones are changed to those. */
 void qtr_pool_mark(qtr_pool *pool, uint32_t label);
-void qtr_pool_keep_marked(qtr_pool *pool);
+void qtr_pool_keep_marked(qtr_pool *pool, uint32_t *number, uint32_t count);
 
 /* Forget all that are listed behind those kept. */
 void qtr_pool_forget_listed(qtr_pool *pool);

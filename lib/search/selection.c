@@ -13,14 +13,14 @@ static unsigned places_of(const qtr_selection *s) {
 }
 
 bool qtr_selection_begin(qtr_selection *s, const qtr_pool *pool, void *block, size_t bytes, const qtr_duals *from,
-                         double target) {
+                         const qtr_basis *basis, double target) {
   const qtr_boxes boxes = {BOX, BOX};
   s->pool = pool;
   s->target = target;
   s->upper = s->node_upper = s->round_upper = qtr_pool_upper(pool, from);
   s->fruitless = s->depth = 0;
   s->phase = PHASE_LOOK;
-  return qtr_master_begin(&s->master, pool, block, bytes, from, &boxes);
+  return qtr_master_begin(&s->master, pool, block, bytes, from, basis, &boxes);
 }
 
 /* ---- a look at all routes ---- */

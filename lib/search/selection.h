@@ -41,7 +41,7 @@ typedef struct {
  * any route of theirs collects. Where all routes of games that are worth more than `target` are listed, `upper` bounds
  * all games. False: the block is too small. */
 bool qtr_selection_begin(qtr_selection *selection, const qtr_pool *pool, void *block, size_t bytes,
-                         const qtr_duals *from, double target);
+                         const qtr_duals *from, const qtr_basis *basis, double target);
 
 /* Go on for a bounded amount of work: a look at all routes, or some pivots. */
 enum qtr_selecting qtr_selection_go_on(qtr_selection *selection);

@@ -94,7 +94,7 @@ static void choose(double optimum) {
   while (qtr_pool_go_on(&pool, 1000) == QTR_LISTING) {}
   const size_t used = qtr_pool_bytes(&pool, pool.labels);
   TEST_ASSERT_TRUE(qtr_selection_begin(&selection, &pool, (uint8_t *)pool_block + used, sizeof pool_block - used,
-                                       &columns.center, target()));
+                                       &columns.center, &columns.basis, target()));
   do {
     status = qtr_selection_go_on(&selection);
     if (status == QTR_SELECTION_GAME) take_game();

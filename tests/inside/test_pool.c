@@ -212,6 +212,7 @@ static void expect_kept(const kept *k) {
 /* Whatever is listed behind them, by whatever prices. */
 static void test_routes_that_are_kept_stay_what_they_are(void) {
   static kept list_of[1u << PLACES_MOST];
+  static uint32_t numbers[1u << PLACES_MOST];
   for (unsigned number = 0; number < random_cases(120); number++) {
     test_random random = random_case("kept", number);
     unsigned count = 0;
@@ -223,9 +224,11 @@ static void test_routes_that_are_kept_stay_what_they_are(void) {
       k->r.length = qtr_pool_places(&pool, label, k->r.place);
       k->squad = qtr_pool_label(&pool, label)->squad;
       k->worth = qtr_pool_worth(&pool, label);
+      numbers[count - 1] = label;
       qtr_pool_mark(&pool, label);
     }
-    qtr_pool_keep_marked(&pool);
+    qtr_pool_keep_marked(&pool, numbers, count);
+    for (unsigned i = 0; i < count; i++) TEST_ASSERT_TRUE_MESSAGE(qtr_pool_is_route(&pool, numbers[i]), case_note);
     TEST_ASSERT_EQUAL_MESSAGE(count, pool.routes, case_note);
     for (unsigned place = 0; place < mission.places; place++) duals.place[place] *= 1.0 + 0.2 * random_unit(&random);
     qtr_gains_fill(&bound.gains, duals.place);

@@ -23,6 +23,7 @@ static qtr_bound bound;
 static double gains[QTR_GAINS_BYTES(1) / sizeof(double) + 1];
 static qtr_pool pool;
 static qtr_duals duals;
+static const qtr_basis no_basis;
 static qtr_selection selection;
 static uint64_t block[POOL_BYTES / 8];
 static qtr_routes routes;
@@ -79,8 +80,8 @@ static void choose(double optimum) {
   const size_t used = qtr_pool_bytes(&pool, pool.labels);
   const double slack = NEAR * fmax(1.0, fabs(optimum));
   enum qtr_selecting status;
-  TEST_ASSERT_TRUE(
-      qtr_selection_begin(&selection, &pool, (uint8_t *)block + used, sizeof block - used, &duals, target()));
+  TEST_ASSERT_TRUE(qtr_selection_begin(&selection, &pool, (uint8_t *)block + used, sizeof block - used, &duals,
+                                       &no_basis, target()));
   do {
     status = qtr_selection_go_on(&selection);
     if (status == QTR_SELECTION_GAME) take_game();
@@ -140,7 +141,7 @@ static void test_block_that_is_too_small_is_told(void) {
   TEST_ASSERT_EQUAL_INT(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL));
   begin(&random, 1, 0.0);
   list();
-  TEST_ASSERT_FALSE(qtr_selection_begin(&selection, &pool, block, 1000, &duals, best.score.worth));
+  TEST_ASSERT_FALSE(qtr_selection_begin(&selection, &pool, block, 1000, &duals, &no_basis, best.score.worth));
 }
 
 int main(void) {
