@@ -99,7 +99,7 @@ static double way_of(const side *s, int from, int to) {
   const qtr_policy *policy = &s->t.policy;
   const double side_m = qtr_policy_frame(policy).cell_size_um / 1e6;
   double shortest = HUGE_VAL;
-  for (unsigned of = 0; of == 0 || of < policy->board.terms.classes; of++) {
+  for (unsigned of = 0; of == 0 || of < policy->board.classes; of++) {
     const qtr_steps steps = qtr_board_class_steps(&policy->board, of, (unsigned)from, (unsigned)to);
     const qtr_steps scan = qtr_board_class_steps(&policy->board, of, (unsigned)to, (unsigned)to);
     if (steps == QTR_NEVER || scan == QTR_NEVER) continue;

@@ -33,7 +33,7 @@ static void put_item(json *j, const export_plan *plan, const export_point *p, si
 static double speed_of(const table *t, int robot) {
   const qtr_frame frame = qtr_policy_frame(&t->policy);
   const double cell_us =
-      (double)t->claim.step_time_us * qtr_claim_cell_steps(&t->policy, t->policy.board.terms.class_of[robot]);
+      (double)t->claim.step_time_us * qtr_claim_cell_steps(&t->policy, t->policy.board.class_of[robot]);
   return cell_us > 0.0 ? frame.cell_size_um / cell_us : 5.0;
 }
 

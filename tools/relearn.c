@@ -61,12 +61,12 @@ static void take_robots(qtr_mission *m, const source *s, const simulation_config
   const qtr_policy *policy = &s->t->policy;
   const qtr_board *board = &policy->board;
   m->seekers = board->seekers;
-  m->classes = board->terms.classes > 0 ? board->terms.classes : 1;
+  m->classes = board->classes > 0 ? board->classes : 1;
   for (unsigned of = 0; of < m->classes; of++) take_class(m, of, s);
   for (unsigned i = 0; i < m->seekers; i++) {
-    qtr_robot_class *of = &m->robot_class[board->terms.class_of[i]];
+    qtr_robot_class *of = &m->robot_class[board->class_of[i]];
     const qtr_steps end = qtr_board_end(board, i);
-    m->class_of[i] = board->terms.class_of[i];
+    m->class_of[i] = board->class_of[i];
     m->ready[i] = qtr_board_ready(board, i);
     m->start[i] = config->froms > 0 ? table_cell(s->t, config->from[i].column, config->from[i].row)
                                     : qtr_policy_cell(policy, (unsigned)board->places + s->deployment->start_of[i]);

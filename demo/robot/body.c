@@ -7,7 +7,7 @@
 #define SECOND 1e6 /* microseconds */
 
 static uint32_t cell_steps(const qtr_policy *policy, unsigned self) {
-  return qtr_claim_cell_steps(policy, policy->board.terms.class_of[self]);
+  return qtr_claim_cell_steps(policy, policy->board.class_of[self]);
 }
 
 static uint32_t fewest_steps(const qtr_policy *policy) {

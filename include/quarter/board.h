@@ -29,7 +29,9 @@ typedef struct {
   uint8_t seekers;                    /* 1..QTR_MAX_SEEKERS */
   uint8_t rule;                       /* enum qtr_rule */
   uint8_t step_bytes;                 /* 1, 2 or 4: of a travel time */
+  uint8_t classes;                    /* of seekers, each with travel times of its own; 0 is one, too */
   uint16_t start_of[QTR_MAX_SEEKERS]; /* each seeker's start, 0..starts-1: its node is places + start_of[i] */
+  uint8_t class_of[QTR_MAX_SEEKERS];  /* and its class */
   const uint8_t *steps;               /* travel times, scans included, little-endian, a row of `places` for every node,
                                          all ones for no way; one such matrix after the other for each class; must
                                          outlive the board */

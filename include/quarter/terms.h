@@ -1,19 +1,24 @@
 /* The field's terms, as the joint game knows them: seekers of classes, ready at their time, home before their end, and
  * places that are looked at more than once. All of them optional.
  *
- * Interchangeable are seekers of one kind: of one class, and where each has a home to come back to (`by_home`), of one
- * start and one ready time. Two alike robots with different homes are not: a state that one of them cannot finish would
- * pass for one that it can.
+ * Interchangeable are seekers of one kind: of one class, and where each has a home to come back to (QTR_BY_HOME), of
+ * one start and one ready time. Two alike robots with different homes are not: a state that one of them cannot finish
+ * would pass for one that it can.
  */
 #ifndef QUARTER_TERMS_H
 #define QUARTER_TERMS_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "quarter/config.h"
 
 QTR_C_BEGIN
+
+/* Rules, a bit each, as in a table. */
+enum {
+  QTR_BY_HOME = 1,         /* seekers of other starts or ready times are of other kinds */
+  QTR_ANYONE_MAY_LEAVE = 2 /* a seeker may stand down though nobody else can visit what it leaves over */
+};
 
 /* Numbers little-endian, as in a table; all must outlive the board. All 0: there are no such terms. */
 typedef struct {
@@ -25,10 +30,7 @@ typedef struct {
                              NULL: every place is looked at once */
   qtr_steps clock;        /* the greatest step that matters: later moments are alike. 0: what is allowed, and what it is
                              worth, is the same at any time */
-  uint8_t classes;        /* matrices of travel times; 0 is one, too */
-  bool by_home;           /* seekers of other starts or ready times are of other kinds */
-  bool anyone_may_leave;  /* a seeker may stand down though nobody else can visit what it leaves over */
-  uint8_t class_of[QTR_MAX_SEEKERS]; /* of each seeker: which of the board's matrices of travel times is its own */
+  uint8_t rules;          /* QTR_BY_HOME, QTR_ANYONE_MAY_LEAVE */
 } qtr_terms;
 
 QTR_C_END

@@ -203,12 +203,12 @@ static void set_terms(qtr_game *game) {
   if (mission->aim.home_weight > 0.0)
     worth.home_weight = mission->aim.home_weight / sum_of_weights(mission) / worth.findable;
   qtr_objective_init(&game->objective, &mission->aim, &worth);
-  terms->classes = mission->classes;
-  for (unsigned i = 0; i < mission->seekers; i++) terms->class_of[i] = mission->class_of[i];
-  terms->by_home = comes_home(game);
+  game->board.classes = mission->classes;
+  for (unsigned i = 0; i < mission->seekers; i++) game->board.class_of[i] = mission->class_of[i];
+  terms->rules = comes_home(game) ? QTR_BY_HOME : 0;
   /* With an end a place may be worth less than the longer way home. Without one all must be visited, and who alone can
    * visit what is left has to go in any play. */
-  terms->anyone_may_leave = worth.home_weight > 0.0 && terms->end != NULL;
+  if (worth.home_weight > 0.0 && terms->end != NULL) terms->rules |= QTR_ANYONE_MAY_LEAVE;
   terms->clock = qtr_objective_last_clock(&game->objective);
   terms->home = NULL;
 #if QTR_TERMS

@@ -16,7 +16,7 @@ extern inline qtr_steps qtr_load_steps(const uint8_t *times, unsigned bytes, uin
 extern inline qtr_steps qtr_steps_of_class(const qtr_board *board, unsigned of_class, unsigned node, unsigned place);
 
 unsigned qtr_board_classes(const qtr_board *board) {
-  return (QTR_TERMS && (board->terms.classes > 1u)) ? board->terms.classes : 1u;
+  return (QTR_TERMS && (board->classes > 1u)) ? board->classes : 1u;
 }
 
 /* No way, for numbers that are none: who asks out of range goes nowhere, and reads nothing. */
@@ -31,7 +31,7 @@ qtr_steps qtr_board_steps(const qtr_board *board, unsigned seeker, unsigned node
   if (seeker >= board->seekers) {
     return QTR_NEVER;
   }
-  return qtr_board_class_steps(board, QTR_TERMS ? board->terms.class_of[seeker] : 0u, node, place);
+  return qtr_board_class_steps(board, QTR_TERMS ? board->class_of[seeker] : 0u, node, place);
 }
 
 QTR_APART qtr_steps qtr_board_ready(const qtr_board *board, unsigned seeker) {
@@ -80,11 +80,12 @@ int qtr_board_check(const qtr_board *board) {
 
 #if QTR_TERMS
 static bool are_alike(const qtr_board *board, unsigned i, unsigned other) {
-  if (board->terms.class_of[i] != board->terms.class_of[other]) {
+  if (board->class_of[i] != board->class_of[other]) {
     return false;
   }
-  return !board->terms.by_home || ((board->start_of[i] == board->start_of[other]) &&
-                                   (qtr_board_ready(board, i) == qtr_board_ready(board, other)));
+  return ((board->terms.rules & (unsigned)QTR_BY_HOME) == 0u) ||
+         ((board->start_of[i] == board->start_of[other]) &&
+          (qtr_board_ready(board, i) == qtr_board_ready(board, other)));
 }
 
 /* A kind goes by the lowest number of those that are of it. */
@@ -98,7 +99,7 @@ static void find_kind(qtr_board *board, unsigned i) {
 #endif
 
 static bool seat_is_sound(const qtr_board *board, unsigned i) {
-  return (board->start_of[i] < board->starts) && (!QTR_TERMS || (board->terms.class_of[i] < qtr_board_classes(board)));
+  return (board->start_of[i] < board->starts) && (!QTR_TERMS || (board->class_of[i] < qtr_board_classes(board)));
 }
 
 /* The longest time is the base of the digit that a key has for steps that remain, on the way or until a seeker is

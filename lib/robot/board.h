@@ -29,7 +29,7 @@ inline qtr_steps qtr_steps_of_class(const qtr_board *board, unsigned of_class, u
 /* qtr_board_steps() likewise. */
 static inline qtr_steps qtr_steps_between(const qtr_board *board, unsigned seeker, unsigned node, unsigned place) {
   QTR_ASSERT(seeker < board->seekers);
-  return qtr_steps_of_class(board, QTR_TERMS ? board->terms.class_of[seeker] : 0u, node, place);
+  return qtr_steps_of_class(board, QTR_TERMS ? board->class_of[seeker] : 0u, node, place);
 }
 
 /* Without terms all are of one kind, and nothing is kept of it. */

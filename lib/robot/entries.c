@@ -38,17 +38,20 @@ unsigned qtr_policy_place(const qtr_policy *policy, unsigned place) {
   return (unsigned)qtr_load16(board->terms.look_of + (2u * place));
 }
 
+/* A word of a seeker's class tells whether it keeps off rough ground. */
+static bool keeps_off_rough(const qtr_policy *policy, unsigned seeker) {
+  if (!QTR_TERMS || ((policy->features & QTR_FEATURE_TERMS) == 0) || (seeker >= policy->board.seekers)) {
+    return false;
+  }
+  const uint8_t *classes = section_of(policy, SECTION_TERMS) + QTR_TERMS_CLASS;
+  return classes[(QTR_TERMS_CLASS_BYTES * (uint32_t)policy->board.class_of[seeker]) + 2u] != 0u;
+}
+
 qtr_grid qtr_policy_ground(const qtr_policy *policy, unsigned seeker) {
   qtr_grid grid = policy->grid;
-#if QTR_TERMS
-  if (((policy->features & QTR_FEATURE_TERMS) != 0) && (seeker < policy->board.seekers) &&
-      (grid.encoding == QTR_GRID_BYTES)) {
-    const uint8_t *of = section_of(policy, SECTION_TERMS) + QTR_TERMS_CLASS +
-                        (QTR_TERMS_CLASS_BYTES * (uint32_t)policy->board.terms.class_of[seeker]);
-    grid.encoding = (of[2] != 0u) ? QTR_GRID_SMOOTH : QTR_GRID_BYTES;
+  if ((grid.encoding == QTR_GRID_BYTES) && keeps_off_rough(policy, seeker)) {
+    grid.encoding = QTR_GRID_SMOOTH;
   }
-#endif
-  (void)seeker;
   return grid;
 }
 

@@ -197,7 +197,8 @@ bool qtr_joint_may_leave(const qtr_joint *joint, const qtr_board *board, unsigne
   if (board->rule == QTR_RULE_PAPER) {
     return false;
   }
-  return (QTR_TERMS && board->terms.anyone_may_leave) || others_can_visit(joint, board, seeker, choices);
+  return (QTR_TERMS && ((board->terms.rules & (unsigned)QTR_ANYONE_MAY_LEAVE) != 0u)) ||
+         others_can_visit(joint, board, seeker, choices);
 }
 
 bool qtr_joint_choices(const qtr_joint *joint, const qtr_board *board, int seeker, qtr_places *choices) {

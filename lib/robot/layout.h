@@ -73,8 +73,7 @@ enum qtr_table_feature {
 };
 
 enum qtr_table_term {
-  QTR_TERM_BY_HOME = 1, /* as in qtr_terms, the first two */
-  QTR_TERM_LEAVE = 2,
+  QTR_TERM_RULES = 3, /* as in qtr_terms, both of them */
   QTR_TERM_READY = 4, /* the section of terms has ready times */
   QTR_TERM_END = 8,   /* ends, and ways home */
   QTR_TERM_LOOKS = 16 /* which place each is a look at */

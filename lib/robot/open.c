@@ -68,10 +68,9 @@ static void read_terms(qtr_policy *policy) {
   if ((policy->features & QTR_FEATURE_TERMS) != 0) {
     const uint8_t *bytes = policy->bytes;
     policy->terms = bytes[QTR_POLICY_TERMS];
-    terms->classes = bytes[QTR_POLICY_CLASSES];
+    policy->board.classes = bytes[QTR_POLICY_CLASSES];
     terms->clock = qtr_load32(bytes + QTR_POLICY_CLOCK);
-    terms->by_home = (policy->terms & (unsigned)QTR_TERM_BY_HOME) != 0u;
-    terms->anyone_may_leave = (policy->terms & (unsigned)QTR_TERM_LEAVE) != 0u;
+    terms->rules = policy->terms & (uint8_t)QTR_TERM_RULES;
   }
 #else
   (void)policy;
@@ -88,7 +87,7 @@ static void find_terms(qtr_policy *policy) {
   }
   const uint8_t *at = section_of(policy, SECTION_TERMS) + QTR_TERMS_CLASS +
                       (QTR_TERMS_CLASS_BYTES * (uint32_t)qtr_board_classes(board));
-  bytes_copy(terms->class_of, at, board->seekers);
+  bytes_copy(board->class_of, at, board->seekers);
   at += board->seekers;
   if ((policy->terms & (unsigned)QTR_TERM_READY) != 0u) {
     terms->ready = at;

@@ -9,7 +9,7 @@ bool qtr_pieces_tell(const qtr_game *game) {
 }
 
 bool qtr_pieces_fit(const qtr_game *game, unsigned seeker, unsigned other) {
-  return !QTR_TERMS || game->board.terms.class_of[seeker] == game->board.terms.class_of[other];
+  return !QTR_TERMS || game->board.class_of[seeker] == game->board.class_of[other];
 }
 
 void qtr_pieces_refresh(qtr_pieces *p, unsigned route) {

@@ -88,7 +88,7 @@ int qtr_any_start_init_built(qtr_any_start *any, const qtr_any_start_asked *aske
   any->board = asked->game->board;
   any->board.starts = sizes.starts;
   any->board.steps = blocks->steps;
-  any->board.terms.by_home = false; /* crews of regions are multisets, wherever their homes are */
+  any->board.terms.rules &= (uint8_t)~QTR_BY_HOME; /* crews of regions are multisets, wherever their homes are */
   set_starts(any);
   set_regions(any);
   const qtr_matrix_nodes nodes = {mission, any->board.places, any->board.terms.look_of, blocks->start, sizes.starts};

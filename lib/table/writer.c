@@ -73,9 +73,8 @@ static uint8_t encoding_of(const qtr_table_content *content) {
 /* Which of the terms that robots play by there are: enum qtr_table_term. */
 static uint8_t terms_of(const qtr_board *board) {
   const qtr_terms *terms = &board->terms;
-  return (uint8_t)((terms->by_home ? QTR_TERM_BY_HOME : 0) | (terms->anyone_may_leave ? QTR_TERM_LEAVE : 0) |
-                   (terms->ready != NULL ? QTR_TERM_READY : 0) | (terms->end != NULL ? QTR_TERM_END : 0) |
-                   (terms->look_of != NULL ? QTR_TERM_LOOKS : 0));
+  return (uint8_t)(terms->rules | (terms->ready != NULL ? QTR_TERM_READY : 0) |
+                   (terms->end != NULL ? QTR_TERM_END : 0) | (terms->look_of != NULL ? QTR_TERM_LOOKS : 0));
 }
 
 /* The longest way in the fewest bytes, all ones being none. */
@@ -242,7 +241,7 @@ static uint8_t *write_classes(uint8_t *at, const qtr_table_content *content) {
     qtr_store16(at, content->mission->robot_class[i].cell_steps);
     at[2] = content->mission->robot_class[i].smooth_only;
   }
-  for (unsigned i = 0; i < board->seekers; i++) *at++ = board->terms.class_of[i];
+  for (unsigned i = 0; i < board->seekers; i++) *at++ = board->class_of[i];
   return at;
 }
 

@@ -99,8 +99,8 @@ static void say_terms(void) {
       (unsigned long)t.claim.deadline);
   say_double("", policy->bytes + QTR_POLICY_FOUND);
   for (unsigned i = 0; i < board->seekers; i++) {
-    say("robot %u class %u steps a cell %lu ready %lu end %lu: from its start", i, board->terms.class_of[i],
-        (unsigned long)qtr_claim_cell_steps(policy, board->terms.class_of[i]), (unsigned long)qtr_board_ready(board, i),
+    say("robot %u class %u steps a cell %lu ready %lu end %lu: from its start", i, board->class_of[i],
+        (unsigned long)qtr_claim_cell_steps(policy, board->class_of[i]), (unsigned long)qtr_board_ready(board, i),
         (unsigned long)qtr_board_end(board, i));
     for (unsigned place = 0; place < board->places; place++)
       say(" %lu", (unsigned long)qtr_board_steps(board, i, board->places + board->start_of[i], place));

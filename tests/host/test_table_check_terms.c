@@ -95,8 +95,8 @@ static void test_other_words_of_terms_are_refused(void) {
     make_table(number);
     if ((policy.features & QTR_FEATURE_TERMS) == 0) continue;
     const uint32_t terms = policy.at[SECTION_TERMS];
-    expect_refused(terms + QTR_TERMS_CLASS + 4u * policy.board.terms.class_of[0],
-                   (uint8_t)(bytes[terms + QTR_TERMS_CLASS + 4u * policy.board.terms.class_of[0]] + 1));
+    expect_refused(terms + QTR_TERMS_CLASS + 4u * policy.board.class_of[0],
+                   (uint8_t)(bytes[terms + QTR_TERMS_CLASS + 4u * policy.board.class_of[0]] + 1));
     expect_refused(QTR_POLICY_FOUND + 6, (uint8_t)(bytes[QTR_POLICY_FOUND + 6] ^ 4));
     expect_refused(terms + QTR_TERMS_FINDABLE + 6, (uint8_t)(bytes[terms + QTR_TERMS_FINDABLE + 6] ^ 4));
   }

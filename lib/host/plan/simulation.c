@@ -192,7 +192,7 @@ static void set_out(world *w, int i, qtr_steps now) {
   r->entering = r->entered < r->cells ? r->way[r->entered++] : r->cell;
   /* A slow robot that moves on at once keeps the fraction of a step that it was early. */
   const double from = now - r->ready < 1.0 ? r->ready : (double)now;
-  const uint32_t cell_steps = qtr_claim_cell_steps(&w->t->policy, w->t->policy.board.terms.class_of[i]);
+  const uint32_t cell_steps = qtr_claim_cell_steps(&w->t->policy, w->t->policy.board.class_of[i]);
   r->ready = from + r->factor * cell_steps * qtr_grid_cost(&w->t->policy.grid, r->entering);
   r->moving = true;
 }

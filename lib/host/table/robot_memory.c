@@ -66,23 +66,23 @@ static layout key_shape_of(const robot_sizes *sizes, const robot_processor *proc
   return l;
 }
 
-static layout terms_of(const robot_sizes *sizes, const robot_processor *processor) {
+static layout terms_of(const robot_processor *processor) {
   layout l = begin(processor);
   put_pointers(&l, 4); /* ready, end, home, look_of */
   put(&l, 1, 4);       /* clock */
-  put(&l, 3, 1);       /* classes, by_home, anyone_may_leave */
-  put(&l, sizes->of[ROBOT_SEEKERS], 1);
+  put(&l, 1, 1);       /* rules */
   return l;
 }
 
 static layout board_of(const robot_sizes *sizes, const robot_processor *processor) {
   layout l = begin(processor);
   put(&l, 2, 2); /* places, starts */
-  put(&l, 3, 1); /* seekers, rule, step_bytes */
+  put(&l, 4, 1); /* seekers, rule, step_bytes, classes */
   put(&l, sizes->of[ROBOT_SEEKERS], 2);
+  put(&l, sizes->of[ROBOT_SEEKERS], 1);
   put_pointers(&l, 1);
   put_struct(&l, key_shape_of(sizes, processor));
-  put_struct(&l, terms_of(sizes, processor));
+  put_struct(&l, terms_of(processor));
   return l;
 }
 

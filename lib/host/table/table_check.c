@@ -44,7 +44,7 @@ static qtr_steps steps_on(const qtr_grid *grid, const qtr_field *field, qtr_cell
 /* The first seeker of a class: whose ground is the class's. -1 if there is none. */
 static int seeker_of(const qtr_policy *policy, unsigned of_class) {
   for (int i = 0; i < policy->board.seekers; i++)
-    if (policy->board.terms.class_of[i] == of_class) return i;
+    if (policy->board.class_of[i] == of_class) return i;
   return -1;
 }
 
@@ -125,8 +125,7 @@ static int check_home(const qtr_policy *policy, qtr_field *field, unsigned seeke
     return fault_set(why, "%s: robot %u cannot come back to its start; " MEND, path, seeker);
   for (unsigned place = 0; place < board->places; place++) {
     const qtr_steps base = steps_on(&grid, field, qtr_policy_cell(policy, place));
-    if (qtr_board_home(board, seeker, place) == steps_of_class(policy, board->terms.class_of[seeker], base, 0))
-      continue;
+    if (qtr_board_home(board, seeker, place) == steps_of_class(policy, board->class_of[seeker], base, 0)) continue;
     return fault_set(why, "%s: its way home of robot %u from place %u is not its map's; " MEND, path, seeker, place);
   }
   return 0;
@@ -203,7 +202,7 @@ static double steps_home(const course *c, const qtr_policy *policy) {
     const qtr_cell start = qtr_policy_cell(policy, (unsigned)policy->board.places + policy->board.start_of[i]);
     qtr_field_fill(field, &grid, start);
     sum += c->free[i];
-    sum += steps_of_class(policy, policy->board.terms.class_of[i],
+    sum += steps_of_class(policy, policy->board.class_of[i],
                           steps_on(&grid, field, qtr_policy_cell(policy, c->last[i])), 0);
   }
   free(field);

@@ -33,7 +33,7 @@ static int walk_to(way *w, const table *t, const qtr_field *field, const qtr_gri
 static int walk(way *w, const table *t, qtr_field *field, int seeker, const table_route *route, fault *why) {
   const qtr_board *board = &t->policy.board;
   const qtr_grid grid = qtr_policy_ground(&t->policy, (unsigned)seeker);
-  const uint32_t cell_steps = qtr_claim_cell_steps(&t->policy, board->terms.class_of[seeker]);
+  const uint32_t cell_steps = qtr_claim_cell_steps(&t->policy, board->class_of[seeker]);
   const size_t room = 1u + (unsigned)route->places + (route->places > 0 ? route->step[route->places - 1] : 0u);
   w->at = malloc(room * sizeof *w->at);
   if (w->at == NULL) return fault_set(why, "no memory for the way of seeker %d", seeker);
