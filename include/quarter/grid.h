@@ -66,7 +66,7 @@ inline unsigned qtr_grid_cost(const qtr_grid *grid, qtr_cell cell) {
   }
   if (grid->encoding != QTR_GRID_BITS) {
     const unsigned cost = grid->cells[cell];
-    return (QTR_TERMS && (grid->encoding == QTR_GRID_SMOOTH) && (cost > 1u)) ? 0u : cost;
+    return (!QTR_TERMS || (grid->encoding != QTR_GRID_SMOOTH) || (cost == 1u)) ? cost : 0u;
   }
   return ((unsigned)grid->cells[cell / 8u] >> (cell % 8u)) & 1u;
 }

@@ -23,23 +23,28 @@ bool qtr_joint_can_choose(const qtr_joint *joint, const qtr_board *board, int se
   return (seeker >= 0) && (seeker < board->seekers) && is_idle(joint, (unsigned)seeker);
 }
 
-/* Whether a seeker can be at a place from its next node and free moment on, and home by its end. */
-static bool is_feasible(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place) {
-  const qtr_steps steps = qtr_steps_between(board, seeker, joint->node[seeker], place);
-  if (!QTR_TERMS || (steps == QTR_NEVER) || (board->terms.end == NULL)) {
-    return steps != QTR_NEVER;
+/* Whether a seeker that is at a place by then is home by its end. */
+static bool comes_home(const qtr_board *board, unsigned seeker, unsigned place, qtr_steps when) {
+  if (board->terms.end == NULL) {
+    return true;
   }
   const qtr_steps home =
       qtr_load_steps(board->terms.home, board->step_bytes, ((uint32_t)seeker * board->places) + place);
-  const qtr_steps when = joint->now + joint->remaining[seeker] + steps;
   return (home != QTR_NEVER) && ((when + home) <= qtr_load32(board->terms.end + (4u * seeker)));
+}
+
+/* Whether a seeker can be at a place from its next node and free moment on, and home by its end. */
+static bool is_feasible(const qtr_joint *joint, const qtr_board *board, unsigned seeker, unsigned place) {
+  const qtr_steps steps = qtr_steps_between(board, seeker, joint->node[seeker], place);
+  return (steps != QTR_NEVER) &&
+         (!QTR_TERMS || comes_home(board, seeker, place, joint->now + joint->remaining[seeker] + steps));
 }
 
 static bool is_out(const qtr_joint *joint, unsigned seeker) {
   return joint->node[seeker] == QTR_STAND_DOWN;
 }
 
-QTR_APART static bool is_alone(const qtr_joint *joint, const qtr_board *board) {
+static bool is_alone(const qtr_joint *joint, const qtr_board *board) {
   unsigned in = 0;
   for (unsigned i = 0; i < board->seekers; i++) {
     in += is_out(joint, i) ? 0u : 1u;
@@ -47,26 +52,36 @@ QTR_APART static bool is_alone(const qtr_joint *joint, const qtr_board *board) {
   return in == 1u;
 }
 
-/* Whether a look at the same place comes before this one and has not been made. */
-QTR_APART static bool has_look_before(const qtr_joint *joint, const qtr_board *board, unsigned place) {
-  const uint32_t of = qtr_load16(board->terms.look_of + (2u * place));
-  for (unsigned other = 0; other < place; other++) {
-    if ((qtr_load16(board->terms.look_of + (2u * other)) == of) && !place_is_in(&joint->visited, other)) {
-      return true;
+/* The place that a look is at. */
+static uint32_t look_of(const qtr_board *board, unsigned place) {
+  return qtr_load16(board->terms.look_of + (2u * place));
+}
+
+/* Alone in the game a seeker may choose the lowest of the looks at a place, and no other. All of them lie in one cell:
+ * where one may be chosen, so may every lower one that has not been made. */
+QTR_APART static void keep_lowest_looks(const qtr_joint *joint, const qtr_board *board, qtr_places *choices) {
+  if ((board->terms.look_of == NULL) || !is_alone(joint, board)) {
+    return;
+  }
+  unsigned place = board->places;
+  while (place-- > 0u) {
+    const uint32_t of = look_of(board, place);
+    unsigned lower = place;
+    while (lower-- > 0u) {
+      if (place_is_in(choices, lower) && (look_of(board, lower) == of)) {
+        place_take(choices, place);
+      }
     }
   }
-  return false;
 }
 
 /* The places that an idle seeker may choose of those not in `taken`, added to `choices` (may be NULL: then only the
  * answer counts), and whether there are any. */
 static bool find_open(const qtr_joint *joint, const qtr_board *board, unsigned seeker, const qtr_places *taken,
                       qtr_places *choices) {
-  const bool lowest = QTR_TERMS && (choices != NULL) && (board->terms.look_of != NULL) && is_alone(joint, board);
   bool any = false;
   for (unsigned place = 0; place < board->places; place++) {
-    if (place_is_in(taken, place) || (lowest && has_look_before(joint, board, place)) ||
-        !is_feasible(joint, board, seeker, place)) {
+    if (place_is_in(taken, place) || !is_feasible(joint, board, seeker, place)) {
       continue;
     }
     if (choices == NULL) {
@@ -74,6 +89,9 @@ static bool find_open(const qtr_joint *joint, const qtr_board *board, unsigned s
     }
     place_put(choices, place);
     any = true;
+  }
+  if (QTR_TERMS && any) {
+    keep_lowest_looks(joint, board, choices);
   }
   return any;
 }
@@ -178,16 +196,21 @@ static bool other_can_visit(const qtr_joint *joint, const qtr_board *board, unsi
 
 /* Where all are alike, whoever can reach one of these places can reach them all, for ways go both ways: then the first
  * tells. */
+static bool first_tells(const qtr_board *board) {
+  return !QTR_TERMS || ((qtr_board_classes(board) == 1u) && (board->terms.end == NULL));
+}
+
 static bool others_can_visit(const qtr_joint *joint, const qtr_board *board, unsigned seeker,
                              const qtr_places *choices) {
-  const bool first_tells = !QTR_TERMS || ((qtr_board_classes(board) == 1u) && (board->terms.end == NULL));
   for (unsigned place = 0; place < board->places; place++) {
     if (!place_is_in(choices, place)) {
       continue;
     }
-    const bool can = other_can_visit(joint, board, seeker, place);
-    if (first_tells || !can) {
-      return can;
+    if (!other_can_visit(joint, board, seeker, place)) {
+      return false;
+    }
+    if (first_tells(board)) {
+      return true;
     }
   }
   return true;

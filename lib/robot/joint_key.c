@@ -26,11 +26,9 @@ void qtr_joint_key(qtr_key *key, const qtr_joint *joint, const qtr_key_shape *sh
   }
   /* Visited are places of the board's. */
   QTR_ASSERT((key->word[shape->places / 32u] >> (shape->places % 32u)) == 0u);
-  unsigned seekers_at = shape->places;
+  const unsigned seekers_at = (unsigned)shape->places + (QTR_TERMS ? shape->clock_bits : 0u);
   if (QTR_TERMS) {
-    const qtr_steps clock = (joint->now < shape->clock) ? joint->now : shape->clock;
-    put(key, seekers_at, clock, shape->clock_bits);
-    seekers_at += shape->clock_bits;
+    put(key, shape->places, (joint->now < shape->clock) ? joint->now : shape->clock, shape->clock_bits);
   }
   const unsigned seeker_bits = (unsigned)shape->node_bits + shape->remaining_bits;
   /* No key is longer than was measured: the bits above it are the Q-table's. */

@@ -18,13 +18,18 @@ static uint32_t size_of_all(uint32_t count, uint32_t bytes) {
 /* After the classes each seeker's, then ready times, ends with ways home, and looks, as far as there are such. */
 static uint32_t size_of_terms(const qtr_policy *policy) {
   const qtr_board *board = &policy->board;
-  const uint32_t seekers = board->seekers;
-  const uint32_t places = board->places;
-  const unsigned terms = policy->terms;
-  uint32_t size = QTR_TERMS_CLASS + (QTR_TERMS_CLASS_BYTES * (uint32_t)qtr_board_classes(board)) + seekers;
-  size += ((terms & (unsigned)QTR_TERM_READY) != 0u) ? (4u * seekers) : 0u;
-  size += ((terms & (unsigned)QTR_TERM_END) != 0u) ? ((4u + (board->step_bytes * places)) * seekers) : 0u;
-  size += ((terms & (unsigned)QTR_TERM_LOOKS) != 0u) ? (2u * places) : 0u;
+  uint32_t a_seeker = 1;
+  if ((policy->terms & (unsigned)QTR_TERM_READY) != 0u) {
+    a_seeker += 4u;
+  }
+  if ((policy->terms & (unsigned)QTR_TERM_END) != 0u) {
+    a_seeker += 4u + ((uint32_t)board->step_bytes * board->places);
+  }
+  uint32_t size = QTR_TERMS_CLASS + (QTR_TERMS_CLASS_BYTES * (uint32_t)qtr_board_classes(board));
+  size += a_seeker * board->seekers;
+  if ((policy->terms & (unsigned)QTR_TERM_LOOKS) != 0u) {
+    size += 2u * (uint32_t)board->places;
+  }
   return size;
 }
 

@@ -163,12 +163,17 @@ static void settle(qtr_seeker *seeker) {
 
 /* ---- what a robot is told ---- */
 
-/* Looks at one place lie in one cell. By that and by nothing else are they told: whatever a table says of them, nobody
- * has looked where it has not been. */
-static bool is_same_place(const qtr_seeker *seeker, unsigned look, unsigned place) {
-  const bool may_be_a_look = QTR_TERMS && (place < seeker->policy->board.places);
-  return (look == place) ||
-         (may_be_a_look && (qtr_policy_cell(seeker->policy, look) == qtr_policy_cell(seeker->policy, place)));
+/* Whether a look at this place is one that this robot has not made. Looks at one place lie in one cell. By that and by
+ * nothing else are they told: whatever a table says of them, nobody has looked where it has not been. */
+static bool is_unmade_look(const qtr_seeker *seeker, unsigned look, unsigned place) {
+  const qtr_policy *policy = seeker->policy;
+  if (place_is_in(&seeker->visited, look)) {
+    return false;
+  }
+  if (!QTR_TERMS) {
+    return look == place;
+  }
+  return (place < policy->board.places) && (qtr_policy_cell(policy, look) == qtr_policy_cell(policy, place));
 }
 
 /* Which of several looks at a place was made: the one that the robot was sent for, or the first that it has not made
@@ -177,15 +182,18 @@ static unsigned look_made(const qtr_seeker *seeker, unsigned place) {
   if (!QTR_TERMS) {
     return place;
   }
-  if (seeker->settled && (seeker->target != QTR_STAND_DOWN) && is_same_place(seeker, seeker->target, place)) {
-    return seeker->target;
-  }
-  for (unsigned look = 0; look < seeker->policy->board.places; look++) {
-    if (is_same_place(seeker, look, place) && !place_is_in(&seeker->visited, look)) {
-      return look;
+  unsigned made = place;
+  unsigned look = seeker->policy->board.places;
+  while (look-- > 0u) {
+    if (!is_unmade_look(seeker, look, place)) {
+      continue;
+    }
+    made = look;
+    if (seeker->settled && (look == seeker->target)) {
+      break;
     }
   }
-  return place;
+  return made;
 }
 
 void qtr_seeker_visited(qtr_seeker *seeker, unsigned at) {
@@ -206,7 +214,7 @@ void qtr_seeker_visited(qtr_seeker *seeker, unsigned at) {
 /* All looks at it. Not taken back on a later visit: is_to_try() asks for visits first. */
 void qtr_seeker_blocked(qtr_seeker *seeker, unsigned place) {
   for (unsigned look = 0; look < seeker->policy->board.places; look++) {
-    if (is_same_place(seeker, look, place) && !place_is_in(&seeker->visited, look)) {
+    if (is_unmade_look(seeker, look, place)) {
       place_put(&seeker->blocked, look);
       seeker->settled = false;
     }
