@@ -1,105 +1,40 @@
 /* The benchmarks: what the project promises, measured on the machine at hand and printed beside the target. Nothing
  * here is a test; a slow machine fails nothing. `--clone` also times a fresh clone up to its certified demo policy;
- * `--takeover` measures what robots do for one that is lost, `--instances` learns those of the literature, and nothing
- * else. */
+ * `--row` and `--certificates` measure what is named, `--takeover` what robots do for one that is lost, `--instances`
+ * learns those of the literature, and nothing else. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "bench.h"
 #include "field/asked.h"
 #include "field/compete.h"
 #include "field/instances.h"
-#include "host/base/clock.h"
 #include "host/input/read.h"
-#include "support/scattered.h"
 
-#define MAPS_MOST 100
-
-static qtr_mission mission;
-static qtr_game game;
-static qtr_travel travel;
-static qtr_learner_memory memory;
-static qtr_environment *ground;
-static qtr_learner *learner;
 static input reference;
-
-/* ---- measuring ---- */
-
-static void begin_learner(void) {
-  const qtr_learner_blocks blocks = QTR_LEARNER_BLOCKS(memory);
-  qtr_learner_config config;
-  qtr_learner_config_default(&config);
-  qtr_environment_init(&ground, memory.ground, sizeof memory.ground, &game, NULL, &travel);
-  qtr_learner_init(&learner, &blocks, ground, NULL, &config);
-}
-
-typedef struct {
-  double seconds, episodes;
-  qtr_certificate certificate;
-} run;
-
-/* Learn a mission to its certificate, elemental tasks included. */
-static run learn(const qtr_mission *learnt, double limit) {
-  const double begin = clock_seconds();
-  run r;
-  qtr_game_init(&game, learnt, &travel, NULL);
-  begin_learner();
-  while (qtr_learner_step(learner) == QTR_LEARNING && clock_seconds() - begin < limit) {}
-  qtr_learner_certificate(learner, &r.certificate);
-  r.seconds = clock_seconds() - begin;
-  r.episodes = (double)r.certificate.episodes;
-  return r;
-}
-
-qtr_learner *bench_learn(const qtr_mission *learnt, unsigned steps) {
-  qtr_game_init(&game, learnt, &travel, NULL);
-  begin_learner();
-  while (steps > 0 && qtr_learner_step(learner) == QTR_LEARNING) steps--;
-  return learner;
-}
-
-static int compare(const void *a, const void *b) {
-  const double x = *(const double *)a;
-  const double y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-static double median(double *values, int count) {
-  qsort(values, (size_t)count, sizeof *values, compare);
-  return count % 2 == 1 ? values[count / 2] : 0.5 * (values[count / 2 - 1] + values[count / 2]);
-}
 
 /* ---- random maps ---- */
 
-qtr_mission *bench_map(unsigned seed, int side, int places, int seekers, int objective) {
-  scattered_make(&mission, &game, &travel, seed, (unsigned)side, (unsigned)places, (unsigned)seekers, objective);
-  return &mission;
-}
-
 static void bench_random(int side, int places, int seekers, int maps, double limit, const char *target) {
   for (int objective = QTR_DISCOUNTED; objective <= QTR_TIME; objective++) {
-    double seconds[MAPS_MOST], episodes[MAPS_MOST], gap[MAPS_MOST];
+    double seconds[BENCH_MAPS_MOST], episodes[BENCH_MAPS_MOST], gap[BENCH_MAPS_MOST];
     int certified = 0;
     unsigned entry_bytes = 0;
     for (int map = 0; map < maps; map++) {
-      bench_map((unsigned)map + 1, side, places, seekers, objective);
-      const run r = learn(&mission, limit);
+      const bench_run r = bench_learn_for(bench_map((unsigned)map + 1, side, places, seekers, objective), NULL, limit);
       seconds[map] = r.seconds;
       episodes[map] = r.episodes;
       gap[map] = r.certificate.gap;
       certified += r.certificate.certified;
-      const unsigned bytes = qtr_learner_entry_bytes(learner);
+      const unsigned bytes = qtr_learner_entry_bytes(bench_learner());
       entry_bytes = bytes > entry_bytes ? bytes : entry_bytes;
     }
-    const double middle = median(seconds, maps); /* and sorted by it */
+    const double middle = bench_median(seconds, (unsigned)maps); /* and sorted by it */
     printf("%2dx%2d, %2d places, %d seekers, %-10s  %3d/%d certified  median %.4f s, worst %.3f s, %.0f episodes, gap "
            "%.1e; %u bytes an entry%s\n",
-           side, side, places, seekers, objective == QTR_TIME ? "time" : "discounted", certified, maps, middle,
-           seconds[maps - 1], median(episodes, maps), median(gap, maps), entry_bytes, target);
+           side, side, places, seekers, bench_objective(objective), certified, maps, middle, seconds[maps - 1],
+           bench_median(episodes, (unsigned)maps), bench_median(gap, (unsigned)maps), entry_bytes, target);
   }
 }
 
@@ -113,7 +48,7 @@ static double learn_reference(const char *path, int robots, int objective, doubl
     exit(1);
   }
   reference.mission.aim.kind = (uint8_t)objective;
-  const run r = learn(&reference.mission, 60.0);
+  const bench_run r = bench_learn_for(&reference.mission, NULL, 60.0);
   *found = r.certificate.certified ? r.certificate.objective : -1.0;
   return r.seconds;
 }
@@ -145,39 +80,7 @@ static void bench_reference(void) {
          agreeing, cases, seconds);
 }
 
-/* ---- sizes ---- */
-
-static void bench_entry(int side, int places, int seekers, const char *target) {
-  bench_map(1, side, places, seekers, QTR_DISCOUNTED);
-  begin_learner();
-  printf("a Q entry of %2d places, %d seekers on %dx%d cells: %u bytes %s\n", places, seekers, side, side,
-         qtr_learner_entry_bytes(learner), target);
-}
-
-/* ---- large maps: in a process of its own, whose memory is then its own ---- */
-
-static void travel_large(void) {
-  uint64_t state = 7;
-  scattered_draw(&mission, &state, 1024, 64, 4, QTR_DISCOUNTED);
-  const double begin = clock_seconds();
-  qtr_game_init(&game, &mission, &travel, NULL);
-  const double seconds = clock_seconds() - begin;
-  struct rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  printf("1024x1024 map, 64 places, all travel times: %.2f s, %ld MB (target: under 3 s, 200 MB)\n", seconds,
-         usage.ru_maxrss / 1024);
-}
-
-static void bench_large(void) {
-  fflush(stdout);
-  const pid_t child = fork();
-  if (child == 0) {
-    travel_large();
-    fflush(stdout);
-    _exit(0);
-  }
-  if (child > 0) waitpid(child, NULL, 0);
-}
+/* ---- all ---- */
 
 static void bench_clone(void) {
   fflush(stdout);
@@ -185,15 +88,21 @@ static void bench_clone(void) {
     printf("clone to certified policy: failed\n");
 }
 
-int main(int argc, char **argv) {
-  static fault why;
-  bench_asked asked;
-  if (bench_ask(&asked, argc, argv, &why) != 0) return bench_fail(&why);
-  if (asked.help) return bench_help(stdout);
-  if (asked.takeover) return bench_takeover(asked.json);
-  if (asked.task != BENCH_NO_TASK) return bench_compete(stdin, stdout, &asked);
-  if (asked.instances != NULL) return bench_instances(stdout, &asked);
-  bench_large();
+/* A row that is asked for alone. */
+static int bench_row(int row) {
+  switch (row) {
+  case BENCH_MEMORY: bench_memory(); break;
+  case BENCH_TERMS: bench_terms(); break;
+  case BENCH_HORIZON: bench_horizon(); break;
+  case BENCH_PAPER_SPEED: bench_exploring(); break;
+  default: return bench_plans();
+  }
+  return 0;
+}
+
+/* All that takes seconds. */
+static void bench_all(void) {
+  bench_memory();
   bench_reference();
   bench_random(30, 12, 2, 50, 60.0, "  (target: 0.05 s)");
   bench_random(30, 16, 2, 50, 60.0, "  (target: 0.15 s)");
@@ -204,9 +113,21 @@ int main(int argc, char **argv) {
   bench_random(40, 32, 4, 20, 30.0, "  (target: 1 s, worst 30 s)");
   bench_random(40, 40, 4, 20, 30.0, "  (target: 1 s, worst 30 s)");
   bench_random(40, 60, 8, 20, 60.0, "  (target: half of them within 60 s)");
-  bench_entry(30, 20, 2, "(target, host: at most 24)");
-  bench_entry(40, 60, 8, "(target, host: at most 24)");
-  bench_entry(32, 16, 4, "(target, mcu: at most 16)");
+  bench_terms();
+  bench_horizon();
+}
+
+int main(int argc, char **argv) {
+  static fault why;
+  bench_asked asked;
+  if (bench_ask(&asked, argc, argv, &why) != 0) return bench_fail(&why);
+  if (asked.help) return bench_help(stdout);
+  if (asked.takeover) return bench_takeover(asked.json);
+  if (asked.task != BENCH_NO_TASK) return bench_compete(stdin, stdout, &asked);
+  if (asked.instances != NULL) return bench_instances(stdout, &asked);
+  if (asked.certificates > 0) return bench_certificates(asked.certificates, asked.family.seed);
+  if (asked.row != BENCH_NO_ROW) return bench_row(asked.row);
+  bench_all();
   if (asked.clone) bench_clone();
   return 0;
 }

@@ -129,7 +129,7 @@ static void expect_refusal(int status, const char *line) {
 static void test_words_that_do_not_go_together_are_refused(void) {
   expect_refusal(BENCH("--json"), "bench: --json goes with --takeover or --instances\n");
   expect_refusal(BENCH("--instances small --takeover"),
-                 "bench: --clone, --takeover, --instances and --family: one at a time\n");
+                 "bench: --row, --certificates, --clone, --takeover, --instances and --family: one at a time\n");
   expect_refusal(BENCH("--instances small --return --objective discounted"),
                  "bench: --return goes with --instances and --objective time alone\n");
   expect_refusal(BENCH("more"), "bench: 'more' is no option; ./run bench --help names them\n");

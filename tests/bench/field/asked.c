@@ -6,6 +6,7 @@
 #include "quarter/objective.h"
 
 static const char *const tasks[] = {"write", "certified", "paper", "exact", "judge", NULL};
+static const char *const rows[] = {"memory", "terms", "horizon", "paper", "plans", NULL};
 static const char *const objectives[] = {"discounted", "time", NULL};
 
 static option_table records = {
@@ -19,6 +20,22 @@ static option_table records = {
      .help = "what robots do for a lost one is worth, and nothing else",
      .kind = OPTION_MARK,
      OPTION_FIELD(bench_asked, takeover)},
+    {.name = "row",
+     .argument = "NAME",
+     .help = "memory, terms, horizon, paper (its setting's speed: 3 minutes)\n"
+             "or plans (after 1 s and 10 s against 60 s: half an hour), and\n"
+             "nothing else; the last two are measured here alone",
+     .kind = OPTION_WORD,
+     .words = rows,
+     OPTION_FIELD(bench_asked, row)},
+    {.name = "certificates",
+     .argument = "N",
+     .help = "of so many random missions, from --seed on, against the exact\n"
+             "optimum, and nothing else; 500: two minutes",
+     .kind = OPTION_COUNT,
+     .first = 1,
+     .last = 1000000,
+     OPTION_FIELD(bench_asked, certificates)},
     {.name = "instances",
      .argument = "DIR",
      .help = "learn TSPLIB files (a folder's *.tsp, or one) as problems of\n"
@@ -79,7 +96,7 @@ static option_table records = {
      OPTION_FIELD(bench_asked, task)},
     {.name = "seed",
      .argument = "N",
-     .help = "which of the family (default %s)",
+     .help = "which of the family, or the first of the missions (default %s)",
      .standard = "1",
      .kind = OPTION_COUNT,
      .first = 0,
@@ -128,12 +145,12 @@ static option_table records = {
     {.name = NULL},
 };
 
-static const option_line lines[] = {OPTION_LINE("clone"),      OPTION_LINE("takeover"),  OPTION_LINE("instances"),
-                                    OPTION_LINE("family"),     OPTION_LINE("task"),      OPTION_LINE("seed"),
-                                    OPTION_LINE("side"),       OPTION_LINE("places"),    OPTION_LINE("looks"),
-                                    OPTION_LINE("classes"),    OPTION_LINE("stretch"),   OPTION_LINE("robots"),
-                                    OPTION_LINE("return"),     OPTION_LINE("objective"), OPTION_LINE("gamma"),
-                                    OPTION_LINE("time-limit"), OPTION_LINE("json"),      {.options = NULL}};
+static const option_line lines[] = {
+    OPTION_LINE("row"),       OPTION_LINE("certificates"), OPTION_LINE("clone"),  OPTION_LINE("takeover"),
+    OPTION_LINE("instances"), OPTION_LINE("family"),       OPTION_LINE("task"),   OPTION_LINE("seed"),
+    OPTION_LINE("side"),      OPTION_LINE("places"),       OPTION_LINE("looks"),  OPTION_LINE("classes"),
+    OPTION_LINE("stretch"),   OPTION_LINE("robots"),       OPTION_LINE("return"), OPTION_LINE("objective"),
+    OPTION_LINE("gamma"),     OPTION_LINE("time-limit"),   OPTION_LINE("json"),   {.options = NULL}};
 
 static const option_set set = {
     NULL, "./run bench [OPTIONS]: what Quarter takes on this machine, beside what it promises\n",
@@ -143,8 +160,10 @@ static const option_set set = {
 static int check(const bench_asked *asked, fault *why) {
   const bool competes = asked->task != BENCH_NO_TASK;
   if (competes != (asked->family.family != FAMILIES)) return fault_set(why, "--family and --task go together");
-  if (asked->clone + asked->takeover + (asked->instances != NULL) + competes > 1)
-    return fault_set(why, "--clone, --takeover, --instances and --family: one at a time");
+  if (asked->clone + asked->takeover + (asked->instances != NULL) + competes + (asked->row != BENCH_NO_ROW) +
+          (asked->certificates > 0) >
+      1)
+    return fault_set(why, "--row, --certificates, --clone, --takeover, --instances and --family: one at a time");
   if (asked->json && !asked->takeover && asked->instances == NULL)
     return fault_set(why, "--json goes with --takeover or --instances");
   if (asked->comes_home && (asked->instances == NULL || asked->family.objective != QTR_TIME))
@@ -153,7 +172,7 @@ static int check(const bench_asked *asked, fault *why) {
 }
 
 int bench_ask(bench_asked *asked, int argc, char **argv, fault *why) {
-  *asked = (bench_asked){.time_limit = 10.0, .task = BENCH_NO_TASK};
+  *asked = (bench_asked){.time_limit = 10.0, .task = BENCH_NO_TASK, .row = BENCH_NO_ROW};
   asked->family = (family_wish){.family = FAMILIES,
                                 .seed = 1,
                                 .side = 30,

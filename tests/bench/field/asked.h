@@ -13,8 +13,13 @@
  * programming, or plans of it judged. */
 enum bench_task { BENCH_WRITE, BENCH_CERTIFIED, BENCH_PAPER, BENCH_EXACT, BENCH_JUDGE, BENCH_NO_TASK };
 
+/* What of the benchmarks can be measured alone. */
+enum bench_row { BENCH_MEMORY, BENCH_TERMS, BENCH_HORIZON, BENCH_PAPER_SPEED, BENCH_PLANS, BENCH_NO_ROW };
+
 typedef struct {
   bool help, json, clone, takeover;
+  int row;               /* enum bench_row */
+  uint32_t certificates; /* held against the exact optimum; 0: none */
   const char *instances; /* a folder of TSPLIB files, or one of them; NULL: none */
   bool comes_home;
   double time_limit;  /* seconds of the processor for each */
