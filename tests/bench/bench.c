@@ -112,6 +112,8 @@ static void bench_all(void) {
   bench_random(30, 26, 3, 20, 10.0, "  (target: 0.1 s, worst 2 s)");
   bench_random(40, 32, 4, 20, 30.0, "  (target: 1 s, worst 30 s)");
   bench_random(40, 40, 4, 20, 30.0, "  (target: 1 s, worst 30 s)");
+  bench_random(40, 50, 4, 20, 30.0, "  (target: median gap 0.2 % at 30 s)");
+  bench_random(40, 60, 5, 20, 30.0, "  (target: median gap 0.2 % at 30 s)");
   bench_random(40, 60, 8, 20, 60.0, "  (target: half of them within 60 s)");
   bench_terms();
   bench_horizon();
