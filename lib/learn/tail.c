@@ -13,14 +13,14 @@
 
 #define FIRST_LABELS (1u << 17) /* of the first list of all routes; each that fails is followed by a longer one */
 #define LONGER 4u
-#define LABELS_TO_TRY (1u << 19)
-#define STEPS_TO_TRY 2000u
-#define ROOM_TO_PRICE 0.75 /* of the room, for labels while routes are priced */
-#define NARROWER 0.5       /* of the gap: some of the routes where all are too many */
-#define LEAST_SHARE 0.2
-#define LESS 0.8           /* of the gap, before all routes are listed once more */
-#define FIRST_ROUND 2u     /* of triples, likewise */
-#define FIRST_EPISODES 64u /* before all is tried anew; after each failure four times as many */
+#define LABELS_TO_TRY (1u << 19) /* of a list of some, out of which a better game is looked for, */
+#define STEPS_TO_TRY 2000u       /* so long at most */
+#define ROOM_TO_PRICE 0.75       /* of the room, for labels while routes are priced */
+#define NARROWER 0.5             /* of the gap: some of the routes where all are too many */
+#define LEAST_SHARE 0.2          /* of it: of fewer routes hardly any game is made */
+#define LESS 0.8                 /* of the gap of the last list of all routes, before the next one, */
+#define LEAST_ROUNDS 2u          /* and rounds of triples */
+#define FIRST_EPISODES 64u       /* before all is tried anew; after each failure four times as many */
 #define LABELS_A_STEP 4096u
 #define PLACES_MOST 256u /* of more of them pairs and triples take too long */
 #define LEAST_GAP 1e-8   /* what a linear programme can tell */
@@ -39,7 +39,7 @@ enum phase {
 struct qtr_tail {
   uint8_t phase, then;     /* what follows when the bound is settled */
   bool is_priced;          /* as far as it goes */
-  uint32_t rounds;         /* of triples, since the first list of all */
+  uint32_t rounds;         /* of triples, since the last list of all */
   uint32_t labels;         /* of the next list of all */
   double gap;              /* of the last one */
   double share;            /* of the gap, being listed */
@@ -48,9 +48,9 @@ struct qtr_tail {
   qtr_pool pool;
   qtr_columns columns;
   qtr_selection selection;
-  double *charge; /* for each pair of places */
-  uint8_t *listed;
-  size_t bytes; /* for what is listed */
+  double *charge;  /* for each pair of places */
+  uint8_t *listed; /* the rest of the block: labels, and behind them what is worked out from them */
+  size_t bytes;    /* of that */
   uint64_t block[];
 };
 
@@ -182,7 +182,7 @@ static void list(qtr_learner *learner) {
 
 static bool may_list_all(const qtr_learner *learner) {
   const qtr_tail *tail = learner->tail;
-  return tail->is_priced || (tail->rounds >= FIRST_ROUND && gap_of(learner) < LESS * tail->gap);
+  return tail->is_priced || (tail->rounds >= LEAST_ROUNDS && gap_of(learner) < LESS * tail->gap);
 }
 
 static void price(qtr_learner *learner) {

@@ -1,6 +1,7 @@
 /* The rest of the gap: all routes of games that are better than the best one known, listed (search/pool.h), and the
- * best game chosen out of them (search/selection.h). What prices leave open by some tenths of a percent is closed
- * so, where the routes can be listed; else episodes go on, with the next try behind as many of them as it is worth. */
+ * best game chosen out of them (search/selection.h). Where they are too many to list, prices of routes bring the bound
+ * down until they are not (search/columns.h), and a part of them is chosen from, for a better game. What cannot be
+ * closed so is left to episodes, with the next try behind as many of them as it is worth. */
 #ifndef QUARTER_LEARN_TAIL_H
 #define QUARTER_LEARN_TAIL_H
 

@@ -5,21 +5,23 @@
 
 #include "model/rounding.h"
 
-#define FIRST_BOX 0.02 /* of the scale */
+#define FIRST_BOX 0.02 /* of the scale: how far prices may be proposed from the center's; */
 #define LEAST_BOX 0.004
-#define SQUADS_BOX 4.0 /* what routes leave to squads follows from prices */
-#define NARROWER 0.5
-#define WIDER 2.0
-#define NEXT_TO_NOTHING 0.02 /* of the gap */
-#define FRUITLESS_MOST 6u
-#define BARREN_MOST 64u
-#define RAISED_MOST 12u
-#define LEAST_DROP 1e-3 /* of the gap */
-#define LEAST_GAIN 1e-9 /* of the scale */
-#define KEPT 0.1        /* of the scale: routes kept are below what gains by no more */
-#define LABELS_A_STEP 4096u
+#define NARROWER 0.5   /* after prices that proved no lower bound, */
+#define WIDER 2.0      /* and where the box alone is in the way */
+#define SQUADS_BOX 4.0 /* of the scale: what is left to squads follows from prices, and is hardly held */
+
+#define NEXT_TO_NOTHING 0.02 /* of the gap: a programme that may gain no more is solved */
+#define LEAST_DROP 1e-3      /* of the gap: a list that brings the bound down by less is barren; */
+#define BARREN_MOST 64u      /* so many in a row, */
+#define FRUITLESS_MOST 6u    /* so many programmes solved without a new triple, */
+#define RAISED_MOST 12u      /* or so many lists of ever fewer routes that are too long: nothing more is to be had */
+
+#define LEAST_GAIN 1e-9 /* of the scale: a route that gains less is none */
+#define HIGHER 0.25     /* of the way from what routes are to collect to what walks do, where too many collect it */
+#define NEAR 0.1        /* of the scale: routes that lack no more are kept for the next programme */
 #define LABELS_AT_FIRST (1u << 19)
-#define HIGHER 0.25 /* of the way from what a route is to collect to the most: where too many do */
+#define LABELS_A_STEP 4096u
 
 enum phase { PHASE_BEGIN = 0, PHASE_LOOK = 1, PHASE_PIVOT = 2, PHASE_FILL = 3, PHASE_LIST = 4, PHASE_STUCK = 5 };
 
@@ -75,7 +77,7 @@ static uint32_t measure_near(const qtr_columns *c, double below) {
 
 /* As many of them as leave half of the room. */
 static void keep_near(qtr_columns *c) {
-  double below = KEPT * c->master.scale;
+  double below = NEAR * c->master.scale;
   qtr_master_mark_basis(&c->master, true);
   while (below > LEAST_GAIN * c->master.scale && measure_near(c, below) > c->labels / 2) below *= NARROWER;
   for (uint32_t i = 0; i < c->master.choices; i++)

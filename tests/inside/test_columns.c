@@ -7,7 +7,7 @@
 #include "search/columns.h"
 #include "search/selection.h"
 #include "support/brute.h"
-#include "support/learning.h"
+#include "support/learnt.h"
 #include "support/missions.h"
 #include "support/random.h"
 #include "support/scattered.h"
@@ -118,20 +118,6 @@ static void test_bound_is_never_below_the_optimum_of_small_games(void) {
   TEST_ASSERT_GREATER_THAN(random_cases(100), proofs);
 }
 
-static double learnt_optimum(void) {
-  qtr_learner_config config;
-  qtr_learner *learner;
-  qtr_certificate certificate;
-  learning_by_episodes = true;
-  qtr_learner_config_default(&config);
-  config.gap = 1e-10;
-  TEST_ASSERT_EQUAL_INT(QTR_OK, learner_init(&learner, ground, NULL, &config));
-  while (qtr_learner_step(learner) == QTR_LEARNING) {}
-  qtr_learner_certificate(learner, &certificate);
-  TEST_ASSERT_TRUE_MESSAGE(certificate.certified, case_note);
-  return qtr_learner_best(learner)->score.worth;
-}
-
 static void test_triples_bring_the_bound_down_to_a_list_that_holds_the_optimum(void) {
   for (unsigned number = 0; number < random_cases(24); number++) {
     test_random random = random_case("larger games", number);
@@ -139,7 +125,7 @@ static void test_triples_bring_the_bound_down_to_a_list_that_holds_the_optimum(v
     for (unsigned place = 0; place < mission.places; place++) mission.weight[place] = random_in(&random, 4, 6);
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &travel), case_note);
-    const double optimum = learnt_optimum();
+    const double optimum = learnt_optimum(ground);
     begin(&random, 20, 0.05, 1u << random_in(&random, 11, 15));
     price(optimum, 4);
     choose(optimum);

@@ -6,7 +6,7 @@
 #include "learn/learner.h"
 #include "search/selection.h"
 #include "support/brute.h"
-#include "support/learning.h"
+#include "support/learnt.h"
 #include "support/missions.h"
 #include "support/random.h"
 #include "support/scattered.h"
@@ -106,21 +106,6 @@ static void test_game_chosen_is_the_best_of_all(void) {
   }
 }
 
-/* The optimum as episodes have it, which share nothing with the list but the bound's prices. */
-static double learnt_optimum(void) {
-  qtr_learner_config config;
-  qtr_learner *learner;
-  qtr_certificate certificate;
-  learning_by_episodes = true;
-  qtr_learner_config_default(&config);
-  config.gap = 1e-10;
-  TEST_ASSERT_EQUAL_INT(QTR_OK, learner_init(&learner, ground, NULL, &config));
-  while (qtr_learner_step(learner) == QTR_LEARNING) {}
-  qtr_learner_certificate(learner, &certificate);
-  TEST_ASSERT_TRUE_MESSAGE(certificate.certified, case_note);
-  return qtr_learner_best(learner)->score.worth;
-}
-
 static void test_mixtures_are_taken_apart_by_triples_and_branches(void) {
   for (unsigned number = 0; number < random_cases(24); number++) {
     test_random random = random_case("larger games", number);
@@ -129,7 +114,7 @@ static void test_mixtures_are_taken_apart_by_triples_and_branches(void) {
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
     begin(&random, 200, 0.05);
     list();
-    choose(learnt_optimum());
+    choose(learnt_optimum(ground));
   }
   TEST_ASSERT_GREATER_THAN(0, triples);
   TEST_ASSERT_GREATER_THAN(0, branches);
