@@ -9,7 +9,9 @@
  * within the gap are few enough to list them all.
  *
  * C takes tolls by halves: a route pays half of a triple's toll for each move from one place of it straight to another.
- * There are two of those at most, on a route that pays the toll whole, so C is never less than what routes collect.
+ * There are two of those at most, on a route that pays the toll whole, so C is never less than what routes collect. A
+ * route begun has paid whole at the triple's second place, and C from there on may take half of it again, for the move
+ * to the third: so what the pool grows on is judged by half of the toll paid last.
  */
 #ifndef QUARTER_SEARCH_COLUMNS_H
 #define QUARTER_SEARCH_COLUMNS_H

@@ -131,7 +131,8 @@ static void keep(qtr_pool *pool, qtr_label *grown) {
   pool->head[head] = pool->labels++;
 }
 
-/* On to a place that it has not been to, if it may collect enough there. The label to be stands behind the last. */
+/* On to a place that it has not been to, if it may collect enough there. C may charge half of a toll that is paid there
+ * once more, where the third place of the triple comes next. The label to be stands behind the last. */
 static void grow_to(qtr_pool *pool, uint32_t from, unsigned place, qtr_memory memory) {
   const qtr_label *label = qtr_pool_label(pool, from);
   const qtr_gains *gains = gains_of(pool);
@@ -142,7 +143,7 @@ static void grow_to(qtr_pool *pool, uint32_t from, unsigned place, qtr_memory me
   const double all = label->net + qtr_gains_at(gains, kind, place, memory, when);
   if (all <= pool->least[label->squad]) return;
   const double toll = toll_at(pool, label, place);
-  if (all - toll <= pool->least[label->squad] || !qtr_gains_in_time(gains, kind, place, when)) return;
+  if (all - 0.5 * toll <= pool->least[label->squad] || !qtr_gains_in_time(gains, kind, place, when)) return;
   qtr_label *grown = qtr_pool_label(pool, pool->labels);
   memcpy(grown, label, pool->stride);
   grown->net += qtr_game_worth(pool->bound->game, place, when) - pool->duals->place[place] - toll;

@@ -36,7 +36,7 @@ void tearDown(void) {
 /* Some triples, with tolls that C takes by halves. */
 static void charge_tolls(test_random *random) {
   for (unsigned i = 0; i < PLACES_MOST * PLACES_MOST; i++) charge[i] = 0.0;
-  for (unsigned tries = random_below(random, 4); tries > 0 && mission.places >= 3; tries--) {
+  for (unsigned tries = random_below(random, 8); tries > 0 && mission.places >= 3; tries--) {
     uint16_t *of = duals.triple[duals.triples].place;
     const double toll = random_unit(random) * fabs(bound.price[0]);
     of[0] = (uint16_t)random_below(random, mission.places - 2u);
