@@ -14,38 +14,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "aggregate/environment.h"
 #include "quarter/config.h"
-#include "search/near.h"
-
-/* The way from a tour's first place to the next target's. */
-typedef struct {
-  uint32_t slots; /* whole ones; QTR_NEVER: there is no way */
-  float share;    /* and how far the rest of the way reaches on the line to the next slot */
-  uint32_t entry; /* where in a slot the gains stand of a walk that remembers nothing but where it comes from */
-} qtr_gains_way;
-
-typedef struct {
-  const qtr_environment *environment;
-  const qtr_game *game; /* the environment's */
-  uint32_t slots;       /* in use */
-  qtr_steps slot_steps; /* steps a slot */
-  const double *charge; /* of each move from target to target, a row of targets each; NULL: none */
-  bool clocked;         /* what can be collected depends on the clock: nothing between slots is known */
-  double slot_fall;     /* discounted: 1 - gamma^slot_steps */
-  uint32_t row;         /* gains a slot of a kind */
-  uint8_t kinds;
-  uint8_t kind_of[QTR_MAX_SEEKERS];  /* 0..kinds-1 */
-  uint8_t first_of[QTR_MAX_SEEKERS]; /* of each kind: its first seeker */
-  uint32_t entry[QTR_MAX_PLACES];    /* of each place, where its gains stand in a slot: one for each memory */
-  qtr_near near;
-  /* In the caller's block, one after another for each kind. */
-  double *gain;       /* a row a slot, and one for what is past the last slot */
-  qtr_gains_way *way; /* a row of targets a place */
-  qtr_steps *travel;  /* a row of places a node: as in the game, unpacked */
-  qtr_steps
-      *soonest; /* the same by way of other places, where that is sooner; on a map it never is, and these are one */
-} qtr_gains;
+#include "search/rows.h"
 
 /* Bytes of the block that the gains and times of a game take. A game by legs has two tables of times. */
 size_t qtr_gains_bytes(const qtr_game *game);

@@ -5,22 +5,22 @@
 #include "quarter/status.h"
 #include "robot/bits.h"
 
-void qtr_near_init(qtr_near *near, qtr_memory *bit, unsigned targets) {
-  near->targets = (uint16_t)targets;
+void qtr_near_init(qtr_near *near, qtr_memory *bit, const qtr_looks *looks) {
+  const size_t targets = looks->count;
+  near->targets = looks->count;
+  near->looks = looks;
   near->bit = bit;
   memset(near->count, 0, targets * sizeof near->count[0]);
-  memset(bit, 0, (size_t)targets * targets * sizeof *bit);
+  memset(bit, 0, targets * targets * sizeof *bit);
 }
 
-bool qtr_near_add(qtr_near *near, unsigned target, unsigned neighbour) {
+void qtr_near_add(qtr_near *near, unsigned target, unsigned neighbour) {
   const unsigned i = near->count[target];
   /* A walk does not stay where it is: what is remembered is where else it has been, each place by one bit. */
-  QTR_ASSERT(target != neighbour && qtr_near_bit(near, target, neighbour) == 0);
-  if (i == QTR_NEAR_MOST) return false;
+  QTR_ASSERT(i < QTR_NEAR_MOST && target != neighbour && qtr_near_bit(near, target, neighbour) == 0);
   near->near[target][i] = (uint16_t)neighbour;
   near->bit[(size_t)target * near->targets + neighbour] = (qtr_memory)(1u << i);
   near->count[target]++;
-  return true;
 }
 
 qtr_memory qtr_near_of(const qtr_near *near, unsigned target, const qtr_places *been, const qtr_places *or_been) {

@@ -13,6 +13,7 @@
 
 #include "quarter/config.h"
 #include "quarter/places.h"
+#include "search/looks.h"
 
 #define QTR_NEAR_MOST 6u /* neighbours of a target */
 
@@ -23,14 +24,15 @@ typedef struct {
   uint16_t targets;
   uint8_t count[QTR_MAX_PLACES]; /* neighbours of each target */
   uint16_t near[QTR_MAX_PLACES][QTR_NEAR_MOST];
+  const qtr_looks *looks;
   qtr_memory *bit; /* in the caller's block, a row of targets a target: each one's bit in its memory; 0: no neighbour */
 } qtr_near;
 
-/* Nobody has neighbours. `bit` is the caller's: targets^2 of them. */
-void qtr_near_init(qtr_near *near, qtr_memory *bit, unsigned targets);
+/* Nobody has neighbours. `bit` is the caller's: targets^2 of them; the targets' looks are kept. */
+void qtr_near_init(qtr_near *near, qtr_memory *bit, const qtr_looks *looks);
 
-/* Add to a target's neighbours one that is not among them. False: there are QTR_NEAR_MOST. */
-bool qtr_near_add(qtr_near *near, unsigned target, unsigned neighbour);
+/* Add to a target's neighbours, fewer than QTR_NEAR_MOST, one that is not among them. */
+void qtr_near_add(qtr_near *near, unsigned target, unsigned neighbour);
 
 static inline unsigned qtr_near_memories(const qtr_near *near, unsigned target) {
   return 1u << near->count[target];
@@ -40,11 +42,20 @@ static inline qtr_memory qtr_near_bit(const qtr_near *near, unsigned target, uns
   return near->bit[(size_t)target * near->targets + of];
 }
 
+/* What is remembered at a target of a walk that has been at another one: of a look, those that come before it, too, for
+ * it does not go back to them. */
+static inline qtr_memory qtr_near_mark(const qtr_near *near, unsigned target, unsigned been) {
+  qtr_memory mark = qtr_near_bit(near, target, been);
+  for (been = qtr_looks_before(near->looks, been); been != QTR_STAND_DOWN; been = qtr_looks_before(near->looks, been))
+    mark |= qtr_near_bit(near, target, been);
+  return mark;
+}
+
 /* What is remembered at `to` of a walk that comes from `from`, with a memory of its own there. */
 static inline qtr_memory qtr_near_move(const qtr_near *near, unsigned from, qtr_memory memory, unsigned to) {
-  qtr_memory kept = qtr_near_bit(near, to, from);
+  qtr_memory kept = qtr_near_mark(near, to, from);
   for (unsigned i = 0; memory >> i != 0; i++)
-    if (memory >> i & 1) kept |= qtr_near_bit(near, to, near->near[from][i]);
+    if (memory >> i & 1) kept |= qtr_near_mark(near, to, near->near[from][i]);
   return kept;
 }
 

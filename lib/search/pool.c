@@ -155,14 +155,23 @@ static void grow_to(qtr_pool *pool, uint32_t from, unsigned place, qtr_memory me
   keep(pool, grown);
 }
 
+/* Nor back to a look before one that it has taken. */
+static void add_looks_before(const qtr_pool *pool, qtr_places *been) {
+  const qtr_looks *looks = &gains_of(pool)->looks;
+  if (!qtr_looks_in_use(looks)) return;
+  for (unsigned place = places_of(pool); place-- > looks->firsts;)
+    if (qtr_places_has(been, place)) qtr_places_add(been, qtr_looks_before(looks, place));
+}
+
 static void grow(qtr_pool *pool, uint32_t from) {
   const qtr_label *label = qtr_pool_label(pool, from);
   qtr_places been;
   if (label->state == LABEL_BEATEN) return;
   qtr_places_clear(&been);
   memcpy(been.word, label->set, pool->words * sizeof label->set[0]);
+  add_looks_before(pool, &been);
   for (unsigned place = 0; place < places_of(pool); place++)
-    if (!qtr_label_has(label, place))
+    if (!qtr_places_has(&been, place))
       grow_to(pool, from, place, qtr_near_of(&gains_of(pool)->near, place, &been, &been));
 }
 

@@ -36,32 +36,34 @@ void tearDown(void) {
 /* Some triples, with tolls that C takes by halves. */
 static void charge_tolls(test_random *random) {
   for (unsigned i = 0; i < PLACES_MOST * PLACES_MOST; i++) charge[i] = 0.0;
-  for (unsigned tries = random_below(random, 8); tries > 0 && mission.places >= 3; tries--) {
+  for (unsigned tries = random_below(random, 8); tries > 0 && game.board.places >= 3; tries--) {
     uint16_t *of = duals.triple[duals.triples].place;
     const double toll = random_unit(random) * fabs(bound.price[0]);
-    of[0] = (uint16_t)random_below(random, mission.places - 2u);
-    of[1] = (uint16_t)random_in(random, of[0] + 1, mission.places - 2u);
-    of[2] = (uint16_t)random_in(random, of[1] + 1, mission.places - 1u);
+    of[0] = (uint16_t)random_below(random, game.board.places - 2u);
+    of[1] = (uint16_t)random_in(random, of[0] + 1, game.board.places - 2u);
+    of[2] = (uint16_t)random_in(random, of[1] + 1, game.board.places - 1u);
     duals.toll[duals.triples++] = toll;
     for (unsigned i = 0; i < 3; i++)
       for (unsigned j = 0; j < 3; j++)
-        if (i != j) charge[of[i] * mission.places + of[j]] += 0.5 * toll;
+        if (i != j) charge[of[i] * game.board.places + of[j]] += 0.5 * toll;
   }
   qtr_gains_charge(&bound.gains, charge);
   qtr_gains_fill(&bound.gains, duals.place);
 }
 
-/* A random game under random prices, and what routes are to collect. */
+/* A random game under random prices, half of them with several looks at some places, and what routes are to collect. */
 static void begin(test_random *random) {
+  const bool again = random_chance(random, 50);
   qtr_play play;
-  mission_random(&mission, random, (mission_size){9, 7, PLACES_MOST, 3});
+  mission_random(&mission, random, (mission_size){9, 7, again ? PLACES_MOST / 2 : PLACES_MOST, 3});
+  if (again) mission_look_again(&mission, random, PLACES_MOST);
   mission.aim.kind = random_chance(random, 50) ? QTR_TIME : QTR_DISCOUNTED;
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, qtr_game_init(&game, &mission, &travel, NULL), case_note);
   TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_OK, ground_init(&ground, &game, &travel), case_note);
   qtr_play_by_rate(&play, &game);
   qtr_bound_init(&bound, gains, ground, play.visit);
   for (unsigned steps = random_below(random, 20); steps > 0 && qtr_bound_improve(&bound, play.score.worth); steps--) {}
-  for (unsigned place = 0; place < mission.places; place++)
+  for (unsigned place = 0; place < game.board.places; place++)
     bound.price[place] += fabs(bound.price[place]) * (random_unit(random) - 0.5);
   qtr_bound_settle(&bound);
   qtr_pool_init(&pool, block, sizeof block, &bound);
@@ -119,7 +121,7 @@ static double net_of(const route *r, unsigned seeker) {
 
 static bool has_places(const qtr_label *label, const route *r) {
   unsigned held = 0;
-  for (unsigned place = 0; place < mission.places; place++) held += qtr_label_has(label, place);
+  for (unsigned place = 0; place < game.board.places; place++) held += qtr_label_has(label, place);
   for (unsigned i = 0; i < r->length; i++)
     if (!qtr_label_has(label, r->place[i])) return false;
   return held == r->length;
@@ -139,12 +141,19 @@ static void expect_listed(const route *r, unsigned seeker, double net) {
   TEST_FAIL_MESSAGE(case_note);
 }
 
+/* Whether it goes back if it goes on to a place (search/looks.h). */
+static bool goes_back(const route *r, unsigned place) {
+  for (unsigned i = 0; i < r->length; i++)
+    if (qtr_looks_is_before(&bound.gains.looks, place, r->place[i])) return true;
+  return false;
+}
+
 static void enumerate(route *r, unsigned seeker) {
   const double net = net_of(r, seeker);
   const double enough = least[pool.squad_of[seeker]];
   if (net > enough + 1e-9 * fmax(1.0, fabs(enough))) expect_listed(r, seeker, net);
-  for (uint16_t place = 0; place < mission.places; place++) {
-    if (has(r, place)) continue;
+  for (uint16_t place = 0; place < game.board.places; place++) {
+    if (has(r, place) || goes_back(r, place)) continue;
     r->place[r->length++] = place;
     enumerate(r, seeker);
     r->length--;
@@ -230,7 +239,7 @@ static void test_routes_that_are_kept_stay_what_they_are(void) {
     qtr_pool_keep_marked(&pool, numbers, count);
     for (unsigned i = 0; i < count; i++) TEST_ASSERT_TRUE_MESSAGE(qtr_pool_is_route(&pool, numbers[i]), case_note);
     TEST_ASSERT_EQUAL_MESSAGE(count, pool.routes, case_note);
-    for (unsigned place = 0; place < mission.places; place++) duals.place[place] *= 1.0 + 0.2 * random_unit(&random);
+    for (unsigned place = 0; place < game.board.places; place++) duals.place[place] *= 1.0 + 0.2 * random_unit(&random);
     qtr_gains_fill(&bound.gains, duals.place);
     qtr_pool_begin(&pool, &duals, least);
     TEST_ASSERT_EQUAL_INT_MESSAGE(QTR_LISTED, list(), case_note);
@@ -241,7 +250,7 @@ static void test_routes_that_are_kept_stay_what_they_are(void) {
 static void test_full_block_is_told(void) {
   test_random random = random_case("small block", 1);
   do begin(&random);
-  while (mission.places < PLACES_MOST);
+  while (game.board.places < PLACES_MOST);
   for (unsigned squad = 0; squad < pool.squads; squad++) least[squad] = -1e9;
   pool.labels_most = 10;
   qtr_pool_begin(&pool, &duals, least);

@@ -58,6 +58,19 @@ static inline void flood(long *steps, const qtr_mission *mission, qtr_cell from)
   }
 }
 
+/* Several looks at some places, with which there are so many in all at most. */
+static inline void mission_look_again(qtr_mission *mission, test_random *random, unsigned most) {
+  unsigned looks = mission->places;
+  for (unsigned place = 0; place < mission->places; place++) {
+    const unsigned more = random_below(random, 3);
+    if (looks + more > most) continue;
+    looks += more;
+    mission->looks[place] = (uint8_t)(1 + more);
+    mission->detection[place] = 0.2 + 0.7 * random_unit(random);
+    mission->robot_class[0].scan[place] = random_in(random, 1, 3);
+  }
+}
+
 typedef struct {
   unsigned columns, rows;   /* at most */
   unsigned places, seekers; /* at most */
