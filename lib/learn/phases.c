@@ -180,7 +180,10 @@ static enum qtr_learning step_prices(qtr_learner *learner) {
   if (!learner_learns_alone(learner) && qtr_certificate_closed(learner)) return QTR_CERTIFIED;
   qtr_planning_step(learner);
   tune_prices(learner);
-  return !learner_learns_alone(learner) && qtr_certificate_closed(learner) ? QTR_CERTIFIED : QTR_LEARNING;
+  if (learner_learns_alone(learner)) return QTR_LEARNING;
+  if (qtr_certificate_closed(learner)) return QTR_CERTIFIED;
+  if (learner->phase == QTR_PHASE_GROUND_PRICES) qtr_tail_try_early(learner);
+  return QTR_LEARNING;
 }
 
 /* Each place, or what is made of some, is chosen once, and see QTR_MAX_CHOICES. */

@@ -13,6 +13,8 @@
 
 #define FIRST_LABELS (1u << 17) /* of the first list of all routes; each that fails is followed by a longer one */
 #define LONGER 4u
+#define EARLY_LABELS 8u          /* a list while prices are tuned: of what a fill of C takes, so many times fewer; */
+#define EARLY_SHARE 0.7          /* and not before the gap is that much of what it was when the last one was too long */
 #define LABELS_TO_TRY (1u << 19) /* of a list of some, out of which a better game is looked for, */
 #define STEPS_TO_TRY 2000u       /* so long at most */
 #define ROOM_TO_PRICE 0.75       /* of the room, for labels while routes are priced */
@@ -38,6 +40,8 @@ enum phase {
 
 struct qtr_tail {
   uint8_t phase, then;     /* what follows when the bound is settled */
+  bool is_early;           /* prices are still being tuned, */
+  double early_gap;        /* and routes are listed from this gap on */
   bool is_priced;          /* as far as it goes */
   uint32_t rounds;         /* of triples, since the last list of all */
   uint32_t labels;         /* of the next list of all */
@@ -64,6 +68,7 @@ void qtr_tail_init(qtr_learner *learner, void *block, size_t bytes) {
   tail->labels = FIRST_LABELS;
   tail->episodes = 0;
   tail->wait = FIRST_EPISODES;
+  tail->early_gap = HUGE_VAL;
   tail->listed = (uint8_t *)tail->block;
   tail->charge = block_cut(&tail->listed, places * places * sizeof(double));
   tail->bytes = bytes - needed;
@@ -115,15 +120,21 @@ static void list_all(qtr_learner *learner) {
   if (tail->labels < UINT32_MAX / LONGER) tail->labels *= LONGER;
 }
 
-static void begin(qtr_learner *learner) {
+/* From the bound's own prices, C filled with them. */
+static void begin_prices(qtr_learner *learner) {
   qtr_tail *tail = learner->tail;
-  if (learner->episodes < tail->episodes) return;
   qtr_pool_init(&tail->pool, tail->listed, tail->bytes, &learner->bound);
   const uint32_t labels = (uint32_t)(ROOM_TO_PRICE * tail->pool.labels_room);
   const size_t used = qtr_pool_bytes(&tail->pool, labels);
   const qtr_columns_room room = {tail->charge, tail->listed + used, tail->bytes - used, labels};
   qtr_columns_begin(&tail->columns, &learner->bound, &tail->pool, &room, target_of(learner));
-  tail->is_priced = false;
+}
+
+static void begin(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  if (learner->episodes < tail->episodes) return;
+  begin_prices(learner);
+  tail->is_early = tail->is_priced = false;
   list_all(learner);
 }
 
@@ -217,20 +228,58 @@ static void try(qtr_learner *learner) {
   if (status == QTR_SELECTED || status == QTR_SELECTION_STUCK || ++tail->steps == STEPS_TO_TRY) price_on(learner);
 }
 
+/* It is tried again when the gap is less. */
+static void tune_on(qtr_learner *learner) {
+  learner->tail->phase = TAIL_WAITS;
+  learner->phase = QTR_PHASE_GROUND_PRICES;
+}
+
 static void select(qtr_learner *learner) {
   qtr_tail *tail = learner->tail;
   const enum qtr_selecting status = qtr_selection_go_on(&tail->selection);
   if (status == QTR_SELECTION_GAME) take_game(learner);
-  if (status == QTR_SELECTED || status == QTR_SELECTION_STUCK) settle(learner, TAIL_IS_OVER);
+  if (status == QTR_SELECTION_STUCK && tail->is_early)
+    tune_on(learner);
+  else if (status == QTR_SELECTED || status == QTR_SELECTION_STUCK)
+    settle(learner, TAIL_IS_OVER);
   lower(learner, tail->selection.upper);
 }
-
-/* ---- steps ---- */
 
 static bool is_of_use(const qtr_learner *learner) {
   return learner->tail != NULL && !learner_is_aggregate(learner) && learner->game->board.rule == QTR_RULE_FREE &&
          learner->game->board.places <= PLACES_MOST;
 }
+
+/* ---- while prices are being tuned ---- */
+
+/* It is to take less than the prices' steps do from one to the next. */
+static uint32_t early_labels(const qtr_learner *learner) {
+  const uint32_t places = learner->game->board.places;
+  const uint64_t labels = (uint64_t)places * places * learner->bound.gains.slots / EARLY_LABELS;
+  return labels < FIRST_LABELS ? (uint32_t)labels : FIRST_LABELS;
+}
+
+static bool list_early(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  enum qtr_listing status = QTR_LISTING;
+  begin_prices(learner);
+  begin_list(learner, 1.0, early_labels(learner));
+  while (status == QTR_LISTING) status = qtr_pool_go_on(&tail->pool, LABELS_A_STEP);
+  return status == QTR_LISTED && begin_selection(learner);
+}
+
+void qtr_tail_try_early(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  if (!is_of_use(learner)) return;
+  const double gap = learner->bound.upper - target_of(learner);
+  if (gap > tail->early_gap || !qtr_bound_settle(&learner->bound)) return;
+  tail->early_gap = EARLY_SHARE * gap;
+  tail->is_early = list_early(learner);
+  tail->phase = tail->is_early ? TAIL_SELECTS : TAIL_WAITS;
+  if (tail->is_early) learner->phase = QTR_PHASE_EPISODES;
+}
+
+/* ---- steps ---- */
 
 /* Episodes need C as the bound's own prices have it. */
 static void put_back(qtr_learner *learner) {

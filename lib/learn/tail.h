@@ -13,6 +13,10 @@
 /* Take over the block, aligned as for a uint64_t; one that is too small, or none, is not used. */
 void qtr_tail_init(qtr_learner *learner, void *block, size_t bytes);
 
+/* While the ground's prices are tuned, between two steps of theirs: where so few routes are within the gap already that
+ * they take less time than that, they are listed, and the phase of episodes begins, if only to choose from them. */
+void qtr_tail_try_early(qtr_learner *learner);
+
 /* Go on for a bounded amount of work. False: there is nothing to do now, and an episode is next. */
 bool qtr_tail_step(qtr_learner *learner);
 
