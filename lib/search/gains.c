@@ -142,20 +142,27 @@ static unsigned gains_a_memory(const qtr_gains *gains, unsigned first) {
   return count;
 }
 
-/* One neighbour more for each target, as far as there is room: each doubles what is kept of its target. Looks at one
- * place have the same ones. */
+/* Looks at one place have the same neighbours. False: there is no room. */
+static bool add_neighbour(qtr_gains *gains, unsigned first, unsigned neighbour, uint64_t *row) {
+  const uint64_t more = (uint64_t)qtr_near_memories(&gains->near, first) * gains_a_memory(gains, first);
+  if (*row + more > room_of(gains) || gains->near.count[first] == QTR_NEAR_MOST) return false;
+  for (unsigned look = first; look != QTR_STAND_DOWN; look = qtr_looks_next(&gains->looks, look))
+    qtr_near_add(&gains->near, look, neighbour);
+  *row += more;
+  return true;
+}
+
+/* One neighbour more for each target, with all looks that follow there, as far as there is room: each doubles what is
+ * kept of its target. */
 static bool add_neighbours(qtr_gains *gains) {
   uint64_t row = gains_a_slot(gains);
-  const uint64_t room = room_of(gains);
   bool added = false;
   for (unsigned target = 0; target < gains->looks.firsts; target++) {
-    const uint64_t more = (uint64_t)qtr_near_memories(&gains->near, target) * gains_a_memory(gains, target);
-    const unsigned neighbour = next_neighbour(gains, target);
-    if (neighbour == QTR_STAND_DOWN || row + more > room || gains->near.count[target] == QTR_NEAR_MOST) continue;
-    for (unsigned look = target; look != QTR_STAND_DOWN; look = qtr_looks_next(&gains->looks, look))
-      qtr_near_add(&gains->near, look, neighbour);
-    row += more;
-    added = true;
+    unsigned neighbour = next_neighbour(gains, target);
+    while (neighbour != QTR_STAND_DOWN && add_neighbour(gains, target, neighbour, &row)) {
+      neighbour = qtr_looks_next(&gains->looks, neighbour);
+      added = true;
+    }
   }
   return added;
 }
