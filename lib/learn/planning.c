@@ -7,7 +7,7 @@
 
 #define FIRST_RUN 4096u /* rounds; each run is twice as long as the one before it */
 #define LONGEST_RUN (1u << 24)
-#define WORK_MOST (1u << 19) /* rounds times places of one step */
+#define WORK_MOST (1u << 21) /* rounds times places of one step */
 
 /* Of games that are searched by vicinity: rounds of the first run for each place, and of a step for each slot and place
  * that its prices fill; they take as long as these then. */
@@ -24,9 +24,16 @@ uint32_t qtr_planning_price_steps(const qtr_learner *learner, uint32_t most) {
   return is_large(learner) ? 1 + most * QTR_SEARCHED_WHOLE / places * QTR_SEARCHED_WHOLE / places : most;
 }
 
+/* Much of it comes first, for prices are tuned towards the best game; then about a tenth of what the prices' step takes
+ * at 60 places, and half of it at 128, where the plan is what there is for long. */
+static uint32_t rounds_beside_prices(const qtr_learner *learner, uint32_t more) {
+  const uint64_t places = learner->game->board.places;
+  return (uint32_t)(places * places * more / 32 / (1 + learner->planned_steps) +
+                    (learner->bound.gains.slots * more * places * places >> 15));
+}
+
 /* A share of what a step takes itself: prices take their slots times the square of the places, episodes the cube, and a
- * round takes the places. Much of it comes first, for prices are tuned towards the best game. Games of few places are
- * mostly over before they need it. */
+ * round takes the places. Games of few places are mostly over before they need it. */
 static uint32_t rounds_of_step(const qtr_learner *learner) {
   const uint32_t places = learner->game->board.places;
   const bool prices = learner->phase != QTR_PHASE_EPISODES;
@@ -36,9 +43,7 @@ static uint32_t rounds_of_step(const qtr_learner *learner) {
   if (is_large(learner) && prices)
     return qtr_planning_price_steps(learner, QTR_PRICE_STEPS) * learner->bound.gains.slots * places / LARGE_SHARE;
   const uint32_t more = places - few;
-  const uint32_t rounds =
-      prices ? 2 * places * more / (1 + learner->planned_steps) + learner->bound.gains.slots * more / 32
-             : places * more / 100;
+  const uint32_t rounds = prices ? rounds_beside_prices(learner, more) : places * more / 100;
   return rounds < most ? rounds : most;
 }
 

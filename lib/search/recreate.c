@@ -182,6 +182,21 @@ static void try_insertion(qtr_recreation *r, uint16_t place, unsigned route, uns
   if (gain > best->gain) *best = (qtr_insertion){gain, route, at};
 }
 
+/* Everywhere on a route, but for the positions passed over. */
+static void try_route(qtr_recreation *r, uint16_t place, unsigned route, qtr_insertion *best) {
+  const unsigned end = r->trial.routes.length[route] + 1u;
+  unsigned at = 0;
+  while (at + r->positions_to_blink <= end) {
+    const unsigned passed = at + r->positions_to_blink - 1;
+    qtr_schedule_find(&r->trial, route, at, passed, place, best);
+    r->positions_to_blink = 1;
+    blinks(r);
+    at = passed + 1;
+  }
+  qtr_schedule_find(&r->trial, route, at, end, place, best);
+  r->positions_to_blink -= end - at;
+}
+
 /* Before and behind each place that is near, and first on each route. */
 static qtr_insertion find_near_insertion(qtr_recreation *r, uint16_t place) {
   const qtr_schedule *s = &r->trial;
@@ -203,8 +218,7 @@ static qtr_insertion find_insertion(qtr_recreation *r, uint16_t place) {
   qtr_insertion best = {-HUGE_VAL, 0, 0};
   if (qtr_vicinity_in_use(r->vicinity)) best = find_near_insertion(r, place);
   if (best.gain != -HUGE_VAL) return best;
-  for (unsigned route = 0; route < s->game->board.seekers; route++)
-    for (unsigned at = 0; at <= s->routes.length[route]; at++) try_insertion(r, place, route, at, &best);
+  for (unsigned route = 0; route < s->game->board.seekers; route++) try_route(r, place, route, &best);
   return best;
 }
 

@@ -7,6 +7,8 @@
 #include "robot/board.h"
 #include "search/route.h"
 
+#define GAME_STEP_BYTES 4u /* of a game's times, which a table's need not have */
+
 static bool is_a_seekers(const qtr_schedule *s, unsigned route) {
   return route < s->game->board.seekers;
 }
@@ -84,14 +86,18 @@ static double loss_one_by_one(const qtr_schedule *s, unsigned route, unsigned at
   return loss;
 }
 
+static inline double worth_of_kind(const qtr_schedule *s, uint8_t kind, uint16_t place, qtr_steps when) {
+  if (kind == QTR_TIME) return s->game->probability[place] * (s->game->objective.time_end - (double)when);
+  return qtr_game_worth(s->game, place, when);
+}
+
 /* What it costs that the places from `at` on are visited so much later. A visit at step 0 counts as at step 1, so the
  * first step of a delay costs it nothing. */
-static inline double loss_by_delay(const qtr_schedule *s, unsigned route, unsigned at, int64_t delay) {
+static inline double loss_of_kind(const qtr_schedule *s, uint8_t kind, unsigned route, unsigned at, int64_t delay) {
   const uint16_t next = s->routes.place[route][at];
-  const qtr_objective *objective = &s->game->objective;
-  if (objective->kind == QTR_TIME) return (double)delay * s->behind[next];
-  if (objective->kind == QTR_DISCOUNTED && delay >= 0 && s->when[next] > 0)
-    return s->behind[next] * (1.0 - qtr_objective_power(objective, (qtr_steps)delay));
+  if (kind == QTR_TIME) return (double)delay * s->behind[next];
+  if (kind == QTR_DISCOUNTED && delay >= 0 && s->when[next] > 0)
+    return s->behind[next] * (1.0 - qtr_objective_power(&s->game->objective, (qtr_steps)delay));
   return loss_one_by_one(s, route, at, delay);
 }
 
@@ -119,10 +125,10 @@ static inline double loss_before_another(const qtr_schedule *s, const visit *v) 
   if (on == QTR_NEVER) return HUGE_VAL;
   const int64_t delay = (int64_t)v->when + on - (int64_t)s->when[next];
   if (has_end(s) && !can_wait(s, v, delay)) return HUGE_VAL;
-  return loss_by_delay(s, v->route, v->at, delay);
+  return loss_of_kind(s, s->game->objective.kind, v->route, v->at, delay);
 }
 
-double qtr_schedule_try(const qtr_schedule *s, unsigned route, unsigned at, uint16_t place) {
+static inline double gain_at(const qtr_schedule *s, unsigned route, unsigned at, uint16_t place) {
   const qtr_board *board = &s->game->board;
   visit v = {.route = route, .at = at, .place = place};
   v.before = at > 0 ? s->routes.place[route][at - 1] : (unsigned)board->places + board->start_of[route];
@@ -133,6 +139,55 @@ double qtr_schedule_try(const qtr_schedule *s, unsigned route, unsigned at, uint
   if (has_end(s) && !is_home_in_time(s, &v)) return -HUGE_VAL;
   const double loss = at == s->routes.length[route] ? loss_at_end(s, &v) : loss_before_another(s, &v);
   return qtr_game_worth(s->game, place, v.when) - loss;
+}
+
+double qtr_schedule_try(const qtr_schedule *s, unsigned route, unsigned at, uint16_t place) {
+  return gain_at(s, route, at, place);
+}
+
+/* Without ends and ways home: what gain_at() looks at then, at a third of the cost. */
+static inline void find_plain(const qtr_schedule *s, unsigned route, unsigned from, unsigned to, uint16_t place,
+                              uint8_t kind, qtr_insertion *best) {
+  const qtr_board *board = &s->game->board;
+  const uint16_t *on = s->routes.place[route];
+  const uint32_t length = s->routes.length[route];
+  const uint32_t own = QTR_TERMS ? board->class_of[route] * ((uint32_t)board->places + board->starts) : 0;
+  const uint8_t *back = board->steps + GAME_STEP_BYTES * ((size_t)(own + place) * board->places);
+  uint32_t before = from > 0 ? on[from - 1] : (uint32_t)board->places + board->start_of[route];
+  qtr_steps left = from > 0 ? s->when[before] : qtr_board_ready(board, route);
+  qtr_insertion found = *best;
+  for (unsigned at = from; at < to; at++) {
+    const qtr_steps there = qtr_load_steps(board->steps, GAME_STEP_BYTES, (own + before) * board->places + place);
+    const qtr_steps when = left + there;
+    double gain = worth_of_kind(s, kind, place, when);
+    bool can = there != QTR_NEVER;
+    if (at < length) {
+      const uint16_t next = on[at];
+      const qtr_steps way = qtr_load_steps(back, GAME_STEP_BYTES, next);
+      before = next;
+      left = s->when[next];
+      can = can && way != QTR_NEVER;
+      if (can) gain -= loss_of_kind(s, kind, route, at, (int64_t)when + way - (int64_t)left);
+    }
+    if (can && gain > found.gain) found = (qtr_insertion){gain, route, at};
+  }
+  *best = found;
+}
+
+void qtr_schedule_find(const qtr_schedule *s, unsigned route, unsigned from, unsigned to, uint16_t place,
+                       qtr_insertion *best) {
+  const qtr_objective *objective = &s->game->objective;
+  const bool plain = !has_end(s) && objective->terms.home_weight == 0.0 && s->game->board.step_bytes == GAME_STEP_BYTES;
+  if (plain && objective->kind == QTR_TIME) {
+    find_plain(s, route, from, to, place, QTR_TIME, best);
+  } else if (plain && objective->kind == QTR_DISCOUNTED) {
+    find_plain(s, route, from, to, place, QTR_DISCOUNTED, best);
+  } else {
+    for (unsigned at = from; at < to; at++) {
+      const double gain = gain_at(s, route, at, place);
+      if (gain > best->gain) *best = (qtr_insertion){gain, route, at};
+    }
+  }
 }
 
 /* ---- changes ---- */

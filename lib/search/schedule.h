@@ -40,6 +40,10 @@ void qtr_schedule_begin(qtr_schedule *schedule, const qtr_game *game, const qtr_
  * or at its end; -HUGE_VAL if it cannot be visited there, or what comes behind cannot any more. */
 double qtr_schedule_try(const qtr_schedule *schedule, unsigned route, unsigned at, uint16_t place);
 
+/* The best so far, or what is better than it of the insertions from..to-1 on a seeker's route. */
+void qtr_schedule_find(const qtr_schedule *schedule, unsigned route, unsigned from, unsigned to, uint16_t place,
+                       qtr_insertion *best);
+
 /* Insert a place, or take places out of a route. Scores stay as they are. */
 void qtr_schedule_insert(qtr_schedule *schedule, unsigned route, unsigned at, uint16_t place);
 void qtr_schedule_remove(qtr_schedule *schedule, unsigned route, unsigned from, unsigned count);

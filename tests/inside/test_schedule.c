@@ -53,6 +53,20 @@ static void expect_change(unsigned route, unsigned at, uint16_t place) {
     TEST_ASSERT_TRUE_MESSAGE(fabs(expected - found) <= 1e-9 * (1.0 + fabs(expected)), text);
 }
 
+/* The best of all positions of a route, or of some, is found as it is one by one. */
+static void expect_best(test_random *random, unsigned route, uint16_t place) {
+  const unsigned end = schedule.routes.length[route] + 1u;
+  const unsigned from = random_below(random, end);
+  qtr_insertion one_by_one = {random_chance(random, 50) ? -HUGE_VAL : walked(route, from, place), route, from};
+  qtr_insertion best = one_by_one;
+  for (unsigned at = from; at < end; at++) {
+    const double gain = qtr_schedule_try(&schedule, route, at, place);
+    if (gain > one_by_one.gain) one_by_one = (qtr_insertion){gain, route, at};
+  }
+  qtr_schedule_find(&schedule, route, from, end, place, &best);
+  TEST_ASSERT_TRUE_MESSAGE(best.gain == one_by_one.gain && best.at == one_by_one.at, case_note);
+}
+
 /* Every place into every position of every route, then on from one of them. */
 static void expect_changes(test_random *random) {
   for (uint16_t place = 0; place < game.board.places; place++) {
@@ -63,6 +77,7 @@ static void expect_changes(test_random *random) {
     qtr_schedule_remove(&schedule, home, from, 1);
     for (unsigned route = 0; route < game.board.seekers; route++)
       for (unsigned at = 0; at <= schedule.routes.length[route]; at++) expect_change(route, at, place);
+    for (unsigned route = 0; route < game.board.seekers; route++) expect_best(random, route, place);
     unsigned route = random_below(random, game.board.seekers);
     unsigned at = random_below(random, schedule.routes.length[route] + 1u);
     if (qtr_schedule_try(&schedule, route, at, place) == -HUGE_VAL) route = home, at = from;
