@@ -74,7 +74,7 @@ static void shape_keys(qtr_environment *e) {
 
 /* A seeker on its way is known by the first place of its tour, which tells target, order and exit. With regions one
  * that is idle is so by its region alone: its node says that it is idle. */
-void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_key *key) {
+static void key_of_seen(const qtr_environment *e, const qtr_situation *s, qtr_key *key) {
   qtr_joint seen = s->joint;
   for (unsigned i = 0; i < e->board.seekers; i++) {
     if (seen.node[i] == QTR_STAND_DOWN) continue;
@@ -85,6 +85,14 @@ void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_k
     seen.remaining[i] = qtr_sight_digit(&e->sight, &s->walk[i], is_idle);
   }
   qtr_joint_key(key, &seen, &e->keys);
+}
+
+/* Without aggregation all of the joint game is seen as it is. */
+void qtr_environment_key(const qtr_environment *e, const qtr_situation *s, qtr_key *key) {
+  if (e->aggregated)
+    key_of_seen(e, s, key);
+  else
+    qtr_joint_key(key, &s->joint, &e->keys);
 }
 
 /* ---- settings ---- */
@@ -230,15 +238,37 @@ static double go_to(const qtr_environment *e, qtr_situation *s, int seeker, uint
   return here && (done || qtr_sight_is_exact(&e->sight)) ? visit_at_once(e, s, first) : 0.0;
 }
 
+static double make_choice(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
+  if (choice != QTR_STAND_DOWN) return go_to(e, s, seeker, choice);
+  qtr_joint_choose(&s->joint, &e->board, seeker, choice);
+  return 0.0;
+}
+
+/* Where coming home counts. */
+static double choose_and_leave(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
+  const qtr_joint before = s->joint;
+  const double reward = make_choice(e, s, seeker, choice);
+  return reward + qtr_game_leave(e->game, &before, &s->joint, 0);
+}
+
 double qtr_environment_choose(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
   if (seeker < 0 || seeker >= e->board.seekers) return 0.0;
-  const qtr_joint before = s->joint;
-  double reward = 0.0;
-  if (choice == QTR_STAND_DOWN)
-    qtr_joint_choose(&s->joint, &e->board, seeker, choice);
-  else
-    reward = go_to(e, s, seeker, choice);
-  return reward + qtr_game_leave(e->game, &before, &s->joint, 0);
+  if (e->game->objective.terms.home_weight != 0.0) return choose_and_leave(e, s, seeker, choice);
+  return make_choice(e, s, seeker, choice);
+}
+
+/* Only the chooser's own state changes, the bits of one place, and who has stood down since. */
+void qtr_environment_undo(const qtr_environment *e, qtr_situation *s, const qtr_situation *before, int seeker,
+                          uint16_t choice) {
+  const unsigned word = choice != QTR_STAND_DOWN ? QTR_PLACE_WORD(choice) : 0;
+  for (unsigned i = 0; i < e->board.seekers; i++) s->joint.node[i] = before->joint.node[i];
+  s->joint.remaining[seeker] = before->joint.remaining[seeker];
+  s->joint.visited.word[word] = before->joint.visited.word[word];
+  s->joint.bound.word[word] = before->joint.bound.word[word];
+  s->joint.unvisited = before->joint.unvisited;
+  s->unvisited = before->unvisited;
+  s->at[seeker] = before->at[seeker];
+  s->walk[seeker] = before->walk[seeker];
 }
 
 /* A visit `offset` steps into a stretch of `passed` steps, under way since before it. */

@@ -36,6 +36,10 @@ void qtr_environment_start(const qtr_environment *environment, qtr_situation *si
 double qtr_environment_choose(const qtr_environment *environment, qtr_situation *situation, int seeker,
                               uint16_t choice);
 
+/* Take the choice just made back: what it changed is again as it was before. The other parts of both are the same. */
+void qtr_environment_undo(const qtr_environment *environment, qtr_situation *situation, const qtr_situation *before,
+                          int seeker, uint16_t choice);
+
 /* Let time pass until somebody is to choose or the game is over (Eq. 4.7). */
 void qtr_environment_pass(const qtr_environment *environment, qtr_situation *situation, qtr_outcome *outcome);
 

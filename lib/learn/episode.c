@@ -13,37 +13,54 @@ static double initial_value(const qtr_learner *learner, const qtr_situation *aft
   return learner_is_paper(learner) ? 0.0 : qtr_bound_state(&learner->bound, after);
 }
 
-/* In the certified setting the bound may be tighter than an entry that was made at another step of the clock: keys
- * without a clock know no time, prices do. Both are Q* or more, so the lesser is. */
-static double entry_value(const qtr_learner *learner, const qtr_situation *after, const qtr_key *key) {
-  const double initial = initial_value(learner, after);
-  double stored;
-  if (!qtr_qtable_get(&learner->table, key, &stored)) return initial;
-  return learner_is_paper(learner) || stored < initial ? stored : initial;
-}
-
 /* Q(s, a) is what the choice earns at once + the entry of the joint state after it: pairs (s, a) that lead to one such
- * state share the entry. */
-static void add_candidate(qtr_learner *learner, const qtr_situation *state, int seeker, uint16_t choice) {
+ * state share the entry. Here is all but the entry: what it is before it is learnt. */
+static void add_candidate(qtr_learner *learner, qtr_situation *after, int seeker, uint16_t choice) {
   qtr_candidates *c = &learner->candidates;
   const unsigned i = c->count++;
-  qtr_situation after = *state;
   c->choice[i] = choice;
-  c->at_once[i] = qtr_environment_choose(learner->environment, &after, seeker, choice);
-  qtr_environment_key(learner->environment, &after, &c->key[i]);
-  c->q[i] = c->at_once[i] + entry_value(learner, &after, &c->key[i]);
+  c->at_once[i] = qtr_environment_choose(learner->environment, after, seeker, choice);
+  qtr_environment_key(learner->environment, after, &c->key[i]);
+  c->q[i] = initial_value(learner, after);
 }
 
-void qtr_episode_list(qtr_learner *learner, const qtr_situation *state, int seeker) {
+/* One situation is all choices', one after the other, for most of its bytes stay as they are. */
+static void list_choices(qtr_learner *learner, const qtr_situation *state, int seeker) {
   const qtr_board *board = &learner->environment->board;
+  qtr_situation after = *state;
   qtr_places choices;
   const bool may_stand_down = qtr_joint_choices(&state->joint, board, seeker, &choices);
   learner->candidates.count = 0;
-  for (uint16_t place = 0; place < board->places; place++)
-    if (qtr_places_has(&choices, place)) add_candidate(learner, state, seeker, place);
-  if (may_stand_down) add_candidate(learner, state, seeker, QTR_STAND_DOWN);
+  for (uint16_t place = 0; place < board->places; place++) {
+    if (!qtr_places_has(&choices, place)) continue;
+    add_candidate(learner, &after, seeker, place);
+    qtr_environment_undo(learner->environment, &after, state, seeker, place);
+  }
+  if (may_stand_down) add_candidate(learner, &after, seeker, QTR_STAND_DOWN);
+}
+
+/* In the certified setting the bound may be tighter than an entry that was made at another step of the clock: keys
+ * without a clock know no time, prices do. Both are Q* or more, so the lesser is. */
+static double entry_value(const qtr_learner *learner, unsigned i, uint32_t home) {
+  const qtr_candidates *c = &learner->candidates;
+  double stored;
+  if (!qtr_qtable_get_from(&learner->table, &c->key[i], home, &stored)) return c->q[i];
+  return learner_is_paper(learner) || stored < c->q[i] ? stored : c->q[i];
+}
+
+/* All entries' memory is asked for before the first is read: the waits for it go by together. */
+static void look_entries_up(qtr_learner *learner) {
+  qtr_candidates *c = &learner->candidates;
+  uint32_t home[QTR_MAX_PLACES + 1];
+  for (unsigned i = 0; i < c->count; i++) home[i] = qtr_qtable_home(&learner->table, &c->key[i]);
+  for (unsigned i = 0; i < c->count; i++) c->q[i] = c->at_once[i] + entry_value(learner, i, home[i]);
+}
+
+void qtr_episode_list(qtr_learner *learner, const qtr_situation *state, int seeker) {
+  list_choices(learner, state, seeker);
   /* Whose turn it is has a target to choose: max Q(s', a') of Eq. 4.7 is over something. */
   QTR_ASSERT(learner->candidates.count > 0);
+  look_entries_up(learner);
 }
 
 unsigned qtr_episode_greedy(const qtr_candidates *c) {

@@ -15,6 +15,13 @@
 #define VALUE_WORDS_MAX 2
 #define ENTRY_WORDS_MAX (QTR_KEY_WORDS + 1 + VALUE_WORDS_MAX)
 
+/* Memory asked for ahead, where the compiler can say so. */
+#ifdef __GNUC__
+#define PREFETCH(address) __builtin_prefetch(address)
+#else
+#define PREFETCH(address) ((void)(address))
+#endif
+
 /* A stored key and its value, as they lie in a slot. */
 typedef struct {
   uint32_t word[ENTRY_WORDS_MAX];
@@ -52,30 +59,34 @@ static double load_value(const qtr_qtable *table, const uint32_t *slot) {
   return (double)single;
 }
 
-static void store_value(const qtr_qtable *table, entry *made, double value) {
+static void store_value(const qtr_qtable *table, uint32_t *slot, double value) {
   const float single = (float)value;
   if (is_precise(table))
-    memcpy(&made->word[stored_words(table)], &value, sizeof value);
+    memcpy(&slot[stored_words(table)], &value, sizeof value);
   else
-    memcpy(&made->word[stored_words(table)], &single, sizeof single);
+    memcpy(&slot[stored_words(table)], &single, sizeof single);
 }
 
 /* A key's words are as many as its bits take; with the tag's two bits that can be one word more. */
-static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key, double value) {
-  memcpy(made->word, key->word, table->key_words * sizeof(uint32_t));
-  if (stored_words(table) > table->key_words) made->word[table->key_words] = 0;
+static uint32_t last_word(const qtr_qtable *table, const qtr_key *key) {
+  const uint32_t last = stored_words(table) > table->key_words ? 0 : key->word[table->key_words - 1];
   /* Keys are below 2^bits: the bits above, where the tag goes, are free. */
-  QTR_ASSERT((made->word[stored_words(table) - 1] & TAG_MASK) == 0);
-  made->word[stored_words(table) - 1] |= table->tag;
-  store_value(table, made, value);
+  QTR_ASSERT((last & TAG_MASK) == 0);
+  return last | table->tag;
 }
 
-/* Murmur3's mixing, on the key without its tag. Where an entry lies decides how long it is sought and nothing else, so
- * no run depends on the hash. */
-static uint32_t hash_entry(const qtr_qtable *table, const entry *hashed) {
+static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key, double value) {
+  memcpy(made->word, key->word, table->key_words * sizeof(uint32_t));
+  made->word[stored_words(table) - 1] = last_word(table, key);
+  store_value(table, made->word, value);
+}
+
+/* Murmur3's mixing, on a key's words without its tag. Where an entry lies decides how long it is sought and nothing
+ * else, so no run depends on the hash. */
+static uint32_t hash_words(const qtr_qtable *table, const uint32_t *word) {
   uint32_t hash = 0x9E3779B9u;
-  for (unsigned w = 0; w < stored_words(table); w++) {
-    uint32_t k = hashed->word[w];
+  for (unsigned w = 0; w < table->key_words; w++) {
+    uint32_t k = word[w];
     if (w + 1 == stored_words(table)) k &= ~TAG_MASK;
     k *= 0xCC9E2D51u;
     k = k << 15 | k >> 17;
@@ -89,8 +100,8 @@ static uint32_t hash_entry(const qtr_qtable *table, const entry *hashed) {
 
 /* hash / 2^32 of the way through the slots: any number of them will do, and where an entry lies in a table twice as
  * large is about twice as far. */
-static uint32_t home_slot(const qtr_qtable *table, const entry *homed) {
-  return (uint32_t)((uint64_t)hash_entry(table, homed) * table->slots >> 32);
+static uint32_t home_slot(const qtr_qtable *table, const uint32_t *word) {
+  return (uint32_t)((uint64_t)hash_words(table, word) * table->slots >> 32);
 }
 
 static uint32_t after(const qtr_qtable *table, uint32_t slot) {
@@ -132,31 +143,39 @@ static bool is_growing(const qtr_qtable *table) {
   return table->swept < table->before;
 }
 
-/* The slot of an entry with this key, or the free slot where it belongs: linear probing, which reads memory in order.
- * Nothing is ever taken out, so a free slot ends every search. */
-static uint32_t find_slot(const qtr_qtable *table, const entry *sought) {
-  /* Every entry lies where it is sought. */
-  QTR_ASSERT(!is_growing(table));
-  const size_t bytes = stored_words(table) * sizeof(uint32_t);
-  /* Some slot is free, or a search for a key that is not there would go round for ever. */
-  QTR_ASSERT(table->entries < table->slots);
-  uint32_t slot = home_slot(table, sought);
-  while (slot_tag(table, slot_read(table, slot)) != 0 && memcmp(slot_read(table, slot), sought->word, bytes) != 0)
-    slot = after(table, slot);
-  return slot;
+/* Stored keys as numbers, the tag on top: a free slot is below them all. */
+static bool is_above(const qtr_qtable *table, const uint32_t *slot, const uint32_t *word, uint32_t last) {
+  unsigned w = stored_words(table) - 1;
+  if (slot[w] != last) return slot[w] > last;
+  while (w-- > 0)
+    if (slot[w] != word[w]) return slot[w] > word[w];
+  return false;
 }
 
-/* Put an entry in the first slot from its home that holds none already moved. What lay there is taken out: true. */
+static bool is_at(const qtr_qtable *table, const uint32_t *slot, const uint32_t *word, uint32_t last) {
+  const unsigned before_last = stored_words(table) - 1;
+  return slot[before_last] == last && memcmp(slot, word, before_last * sizeof *word) == 0;
+}
+
+/* Put an entry in the first slot from its home that holds none already moved, or one below it. What lay there is taken
+ * out: true. */
 static bool place_entry(qtr_qtable *table, entry *moved) {
   const size_t bytes = table->entry_words * sizeof(uint32_t);
+  uint32_t *last = &moved->word[stored_words(table) - 1];
   entry out;
-  uint32_t slot = home_slot(table, moved);
-  while (slot_tag(table, slot_read(table, slot)) == table->tag) slot = after(table, slot);
+  *last = (*last & ~TAG_MASK) | table->tag;
+  uint32_t slot = home_slot(table, moved->word);
+  while (slot_tag(table, slot_read(table, slot)) == table->tag &&
+         is_above(table, slot_read(table, slot), moved->word, *last))
+    slot = after(table, slot);
   memcpy(out.word, slot_read(table, slot), bytes);
-  moved->word[stored_words(table) - 1] = (moved->word[stored_words(table) - 1] & ~TAG_MASK) | table->tag;
   memcpy(slot_at(table, slot), moved->word, bytes);
   *moved = out;
   return slot_tag(table, out.word) != 0;
+}
+
+static void place_all(qtr_qtable *table, entry *first) {
+  while (place_entry(table, first)) {}
 }
 
 /* The last time by less than twice, up to what the block holds. */
@@ -193,7 +212,7 @@ static void sweep(qtr_qtable *table, uint32_t slot) {
   if (tag == 0 || tag == table->tag) return;
   memcpy(moved.word, slot_read(table, slot), table->entry_words * sizeof(uint32_t));
   slot_at(table, slot)[stored_words(table) - 1] = 0;
-  while (place_entry(table, &moved)) {}
+  place_all(table, &moved);
 }
 
 /* All new slots are free before the first entry is moved, for it may come to lie anywhere. */
@@ -214,14 +233,35 @@ bool qtr_qtable_make_room(qtr_qtable *table, uint32_t more) {
   return true;
 }
 
-/* Between two growths every entry has the table's tag, so key and tag are compared at once. */
-bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, double *value) {
-  entry sought;
-  make_entry(table, &sought, key, 0.0);
-  const uint32_t *slot = slot_read(table, find_slot(table, &sought));
-  if (slot_tag(table, slot) == 0) return false;
-  *value = load_value(table, slot);
+uint32_t qtr_qtable_home(const qtr_qtable *table, const qtr_key *key) {
+  const uint32_t home = home_slot(table, key->word);
+  PREFETCH(slot_read(table, home));
+  return home;
+}
+
+/* Linear probing, which reads memory in order. From its home to where it lies an entry has none below it in its way
+ * (Amble and Knuth, Ordered hash tables), so that the first one below ends a search in vain, and most are in vain.
+ * Between two growths every entry has the table's tag, so key and tag are compared at once. */
+static bool find(const qtr_qtable *table, const qtr_key *key, uint32_t home, uint32_t *slot) {
+  const uint32_t last = last_word(table, key);
+  /* Every entry lies where it is sought. */
+  QTR_ASSERT(!is_growing(table));
+  /* Some slot is free, or a search for a key that is not there would go round for ever. */
+  QTR_ASSERT(table->entries < table->slots);
+  *slot = home;
+  while (is_above(table, slot_read(table, *slot), key->word, last)) *slot = after(table, *slot);
+  return is_at(table, slot_read(table, *slot), key->word, last);
+}
+
+bool qtr_qtable_get_from(const qtr_qtable *table, const qtr_key *key, uint32_t home, double *value) {
+  uint32_t slot;
+  if (!find(table, key, home, &slot)) return false;
+  *value = load_value(table, slot_read(table, slot));
   return true;
+}
+
+bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, double *value) {
+  return qtr_qtable_get_from(table, key, home_slot(table, key->word), value);
 }
 
 double qtr_qtable_nearest(const qtr_qtable *table, double value) {
@@ -238,27 +278,29 @@ double qtr_qtable_round_up(const qtr_qtable *table, double value) {
   return (double)rounded;
 }
 
-/* Up to 7/8 full before it grows, and 15/16 where it cannot: a search in vain then looks at (1 + 16^2) / 2 slots
- * (Knuth). */
-bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
+/* Up to 7/8 full before it grows, and 15/16 where it cannot: a search then looks at (1 + 16) / 2 slots (Knuth). */
+static bool add(qtr_qtable *table, const qtr_key *key, double value) {
   entry made;
-  make_entry(table, &made, key, value);
-  uint32_t slot = find_slot(table, &made);
-  if (slot_tag(table, slot_read(table, slot)) == 0) {
-    if (table->entries >= crowded(table->slots) && table->slots < table->slots_limit) {
-      begin_growth(table);
-      while (is_growing(table)) grow_on(table);
-      make_entry(table, &made, key, value);
-      slot = find_slot(table, &made);
-      /* Growing moves entries, and makes and loses none. */
-      QTR_ASSERT(slot_tag(table, slot_read(table, slot)) == 0);
-    }
-    if (table->entries + 1 >= table->slots - table->slots / 16) {
-      table->refused++;
-      return false;
-    }
-    table->entries++;
+  uint32_t slot;
+  if (table->entries >= crowded(table->slots) && table->slots < table->slots_limit) {
+    begin_growth(table);
+    while (is_growing(table)) grow_on(table);
+    /* Growing moves entries, and makes and loses none. */
+    QTR_ASSERT(!find(table, key, home_slot(table, key->word), &slot));
   }
-  memcpy(slot_at(table, slot), made.word, table->entry_words * sizeof(uint32_t));
+  if (table->entries + 1 >= table->slots - table->slots / 16) {
+    table->refused++;
+    return false;
+  }
+  table->entries++;
+  make_entry(table, &made, key, value);
+  place_all(table, &made);
+  return true;
+}
+
+bool qtr_qtable_set(qtr_qtable *table, const qtr_key *key, double value) {
+  uint32_t slot;
+  if (!find(table, key, home_slot(table, key->word), &slot)) return add(table, key, value);
+  store_value(table, slot_at(table, slot), value);
   return true;
 }

@@ -53,6 +53,11 @@ uint32_t qtr_qtable_entry_bytes(const qtr_qtable *table);
 /* Look an entry up. False if there is none. */
 bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, double *value);
 
+/* The same in two steps, for who looks many entries up: where one is sought from, with its memory asked for, then the
+ * entry itself. In between nothing is set. */
+uint32_t qtr_qtable_home(const qtr_qtable *table, const qtr_key *key);
+bool qtr_qtable_get_from(const qtr_qtable *table, const qtr_key *key, uint32_t home, double *value);
+
 /* The value that an entry takes which is nearest to `value`, and the least one that is not below it: a bound must stay
  * one when it is stored. */
 double qtr_qtable_nearest(const qtr_qtable *table, double value);

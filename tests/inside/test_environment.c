@@ -92,6 +92,57 @@ static void test_without_aggregation_it_is_the_game(void) {
   }
 }
 
+/* Each choice there is, made and taken back, leaves the situation as it was, to the byte. */
+static void try_every_choice(const qtr_environment *e, const qtr_situation *situation, int seeker) {
+  qtr_situation tried = *situation;
+  qtr_places choices;
+  qtr_joint_choices(&situation->joint, &e->board, seeker, &choices);
+  for (unsigned target = 0; target <= e->board.places; target++) {
+    const uint16_t choice = target < e->board.places ? (uint16_t)target : QTR_STAND_DOWN;
+    if (choice != QTR_STAND_DOWN && !qtr_places_has(&choices, target)) continue;
+    qtr_environment_choose(e, &tried, seeker, choice);
+    qtr_environment_undo(e, &tried, situation, seeker, choice);
+    TEST_ASSERT_EQUAL_MEMORY_MESSAGE(situation, &tried, sizeof tried, case_note);
+  }
+}
+
+static void take_choices_back(const qtr_environment *e, test_random *random) {
+  qtr_situation situation;
+  qtr_outcome outcome;
+  int seeker;
+  memset(&situation, 0, sizeof situation);
+  qtr_environment_start(e, &situation);
+  while ((seeker = qtr_joint_chooser(&situation.joint, &e->board)) != QTR_NOBODY) {
+    try_every_choice(e, &situation, seeker);
+    qtr_environment_choose(e, &situation, seeker, random_choice(random, &situation.joint, &e->board, seeker));
+    qtr_environment_pass(e, &situation, &outcome);
+  }
+}
+
+/* Each cell a region of its own. */
+static void set_regions_of_one(void) {
+  regions.count = qtr_mission_cells(&mission);
+  for (qtr_cell cell = 0; cell < regions.count; cell++) {
+    regions.of[cell] = (qtr_region)cell;
+    regions.representative[cell] = cell;
+    regions.size[cell] = 1;
+  }
+}
+
+static void test_choice_taken_back_leaves_no_trace(void) {
+  for (unsigned number = 0; number < 100; number++) {
+    test_random random = random_case("taken back", number);
+    const qtr_spots_config spots = spot_limits(3, 8, 0.0);
+    mission_random(&mission, &random, (mission_size){8, 7, 8, 3});
+    set_up_game();
+    take_choices_back(ground, &random);
+    mission.rule = QTR_RULE_FREE;
+    set_regions_of_one();
+    set_up_aggregate(&spots, QTR_SPOT_BEST, random_chance(&random, 50) ? &regions : NULL);
+    take_choices_back(aggregate, &random);
+  }
+}
+
 /* ---- spots ---- */
 
 static qtr_spots_config random_spots(test_random *random) {
@@ -314,6 +365,7 @@ static void test_exploring_finds_the_optimum_that_the_certificate_proves(void) {
 int main(void) {
   UNITY_BEGIN();
   RUN_TEST(test_without_aggregation_it_is_the_game);
+  RUN_TEST(test_choice_taken_back_leaves_no_trace);
   RUN_TEST(test_spots_earn_what_their_tours_earn_on_the_ground);
   RUN_TEST(test_the_best_policy_of_the_spots_is_found);
   RUN_TEST(test_times_are_equal_for_all_cells_of_a_region);
