@@ -222,9 +222,17 @@ static double visit_at_once(const qtr_environment *e, qtr_situation *s, uint16_t
   return qtr_objective_at_once(&e->game->objective, e->game->probability[place], s->joint.now);
 }
 
+/* Without aggregation the board is the game's own. */
+static double go_to_place(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t place) {
+  const bool visited = qtr_joint_choose(&s->joint, &e->board, seeker, place);
+  s->at[seeker] = place;
+  return visited ? visit_at_once(e, s, place) : 0.0;
+}
+
 static double go_to(const qtr_environment *e, qtr_situation *s, int seeker, uint16_t choice) {
   const uint16_t first = first_place(e, s->at[seeker], choice);
   if (first == QTR_STAND_DOWN) return 0.0;
+  if (!e->aggregated) return go_to_place(e, s, seeker, choice);
   const qtr_steps exact = qtr_targets_duration(&e->targets, (unsigned)seeker, s->at[seeker], choice);
   if (exact == QTR_NEVER) return 0.0;
   const bool here = qtr_board_steps(&e->game->board, (unsigned)seeker, s->at[seeker], first) == 0;

@@ -30,6 +30,8 @@ typedef struct {
   qtr_outcome outcome;
 } qtr_trace;
 
+#define QTR_READ_BITS (128 * QTR_MAX_PLACES)
+
 /* What a learner is at. The paper setting has no use for an aggregate's prices. */
 enum qtr_phase { QTR_PHASE_GROUND_PRICES = 0, QTR_PHASE_AGGREGATE_PRICES = 1, QTR_PHASE_EPISODES = 2 };
 
@@ -45,6 +47,7 @@ struct qtr_learner {
   double ground_upper; /* the bound on the game itself, from its prices */
   double max_q;        /* paper: the largest Q of the first state after the last episode */
   uint8_t phase;       /* enum qtr_phase */
+  bool replayed;       /* paper: the greedy game is known, for nothing that it read has changed since */
   uint64_t episodes, updates;
   qtr_play play;
   qtr_routes routes;
@@ -59,6 +62,7 @@ struct qtr_learner {
   qtr_candidates candidates;
   qtr_trace trace[QTR_MAX_CHOICES];
   uint8_t records[QTR_MAX_CHOICES * QTR_RECORD_BYTES]; /* for the export */
+  uint32_t read[QTR_READ_BITS / 32]; /* paper: a bit for each entry that the greedy game read; some share theirs */
   qtr_bound bound;
   qtr_qtable table;
   qtr_tail *tail; /* NULL: there is no block for it */

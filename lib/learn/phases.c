@@ -128,6 +128,7 @@ int qtr_learner_init_built(qtr_learner **made, const qtr_learner_blocks *blocks,
   learner->episodes = 0;
   learner->updates = 0;
   learner->max_q = 0.0;
+  learner->replayed = false;
   learner->phase = QTR_PHASE_GROUND_PRICES;
   qtr_planning_init(learner);
   qtr_tail_init(learner, blocks->routes, blocks->route_bytes);

@@ -157,25 +157,36 @@ static bool is_at(const qtr_qtable *table, const uint32_t *slot, const uint32_t 
   return slot[before_last] == last && memcmp(slot, word, before_last * sizeof *word) == 0;
 }
 
-/* Put an entry in the first slot from its home that holds none already moved, or one below it. What lay there is taken
- * out: true. */
-static bool place_entry(qtr_qtable *table, entry *moved) {
-  const size_t bytes = table->entry_words * sizeof(uint32_t);
+static void mark_moved(const qtr_qtable *table, entry *moved) {
   uint32_t *last = &moved->word[stored_words(table) - 1];
-  entry out;
   *last = (*last & ~TAG_MASK) | table->tag;
-  uint32_t slot = home_slot(table, moved->word);
-  while (slot_tag(table, slot_read(table, slot)) == table->tag &&
-         is_above(table, slot_read(table, slot), moved->word, *last))
-    slot = after(table, slot);
-  memcpy(out.word, slot_read(table, slot), bytes);
-  memcpy(slot_at(table, slot), moved->word, bytes);
-  *moved = out;
-  return slot_tag(table, out.word) != 0;
 }
 
-static void place_all(qtr_qtable *table, entry *first) {
-  while (place_entry(table, first)) {}
+/* The first slot from this one on that holds no entry already moved, or one below. */
+static uint32_t place_for(const qtr_qtable *table, const entry *moved, uint32_t slot) {
+  const uint32_t last = moved->word[stored_words(table) - 1];
+  while (slot_tag(table, slot_read(table, slot)) == table->tag &&
+         is_above(table, slot_read(table, slot), moved->word, last))
+    slot = after(table, slot);
+  return slot;
+}
+
+/* Put an entry where it belongs, then what lay there, and so on up to a free slot. What has been moved already goes on
+ * from where it lay, all else from its home. */
+static void place_entry(qtr_qtable *table, entry *moved) {
+  const size_t bytes = table->entry_words * sizeof(uint32_t);
+  uint32_t tag = 0;
+  uint32_t slot = 0;
+  do {
+    entry out;
+    if (tag != table->tag) slot = home_slot(table, moved->word);
+    mark_moved(table, moved);
+    slot = place_for(table, moved, slot);
+    memcpy(out.word, slot_read(table, slot), bytes);
+    memcpy(slot_at(table, slot), moved->word, bytes);
+    tag = slot_tag(table, out.word);
+    memcpy(moved->word, out.word, bytes);
+  } while (tag != 0);
 }
 
 /* The last time by less than twice, up to what the block holds. */
@@ -212,7 +223,7 @@ static void sweep(qtr_qtable *table, uint32_t slot) {
   if (tag == 0 || tag == table->tag) return;
   memcpy(moved.word, slot_read(table, slot), table->entry_words * sizeof(uint32_t));
   slot_at(table, slot)[stored_words(table) - 1] = 0;
-  place_all(table, &moved);
+  place_entry(table, &moved);
 }
 
 /* All new slots are free before the first entry is moved, for it may come to lie anywhere. */
@@ -231,6 +242,10 @@ bool qtr_qtable_make_room(qtr_qtable *table, uint32_t more) {
   }
   grow_on(table);
   return true;
+}
+
+uint32_t qtr_qtable_hash(const qtr_qtable *table, const qtr_key *key) {
+  return hash_words(table, key->word);
 }
 
 uint32_t qtr_qtable_home(const qtr_qtable *table, const qtr_key *key) {
@@ -294,7 +309,7 @@ static bool add(qtr_qtable *table, const qtr_key *key, double value) {
   }
   table->entries++;
   make_entry(table, &made, key, value);
-  place_all(table, &made);
+  place_entry(table, &made);
   return true;
 }
 

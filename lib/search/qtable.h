@@ -58,6 +58,9 @@ bool qtr_qtable_get(const qtr_qtable *table, const qtr_key *key, double *value);
 uint32_t qtr_qtable_home(const qtr_qtable *table, const qtr_key *key);
 bool qtr_qtable_get_from(const qtr_qtable *table, const qtr_key *key, uint32_t home, double *value);
 
+/* A number of 32 bits for a key, the same however large the table is; few keys share theirs. */
+uint32_t qtr_qtable_hash(const qtr_qtable *table, const qtr_key *key);
+
 /* The value that an entry takes which is nearest to `value`, and the least one that is not below it: a bound must stay
  * one when it is stored. */
 double qtr_qtable_nearest(const qtr_qtable *table, double value);
