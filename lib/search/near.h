@@ -15,7 +15,8 @@
 #include "quarter/places.h"
 #include "search/looks.h"
 
-#define QTR_NEAR_MOST 6u /* neighbours of a target */
+/* Neighbours of a target. Each doubles what is kept of it, which the smallest builds have no room for. */
+#define QTR_NEAR_MOST (QTR_MAX_PLACES < 16 ? 3u : 6u)
 
 /* A set of a target's neighbours: bit i for its i-th. */
 typedef uint8_t qtr_memory;
