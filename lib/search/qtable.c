@@ -83,7 +83,7 @@ static void make_entry(const qtr_qtable *table, entry *made, const qtr_key *key,
 
 /* Murmur3's mixing, on a key's words without its tag. Where an entry lies decides how long it is sought and nothing
  * else, so no run depends on the hash. */
-static uint32_t hash_words(const qtr_qtable *table, const uint32_t *word) {
+static inline uint32_t hash_words(const qtr_qtable *table, const uint32_t *word) {
   uint32_t hash = 0x9E3779B9u;
   for (unsigned w = 0; w < table->key_words; w++) {
     uint32_t k = word[w];
@@ -143,18 +143,14 @@ static bool is_growing(const qtr_qtable *table) {
   return table->swept < table->before;
 }
 
-/* Stored keys as numbers, the tag on top: a free slot is below them all. */
-static bool is_above(const qtr_qtable *table, const uint32_t *slot, const uint32_t *word, uint32_t last) {
+/* Whether a stored key is above (1), equal to (0) or below (-1) another one. As numbers, the tag on top: a free slot is
+ * below them all. */
+static inline int order_of(const qtr_qtable *table, const uint32_t *slot, const uint32_t *word, uint32_t last) {
   unsigned w = stored_words(table) - 1;
-  if (slot[w] != last) return slot[w] > last;
+  if (slot[w] != last) return slot[w] > last ? 1 : -1;
   while (w-- > 0)
-    if (slot[w] != word[w]) return slot[w] > word[w];
-  return false;
-}
-
-static bool is_at(const qtr_qtable *table, const uint32_t *slot, const uint32_t *word, uint32_t last) {
-  const unsigned before_last = stored_words(table) - 1;
-  return slot[before_last] == last && memcmp(slot, word, before_last * sizeof *word) == 0;
+    if (slot[w] != word[w]) return slot[w] > word[w] ? 1 : -1;
+  return 0;
 }
 
 static void mark_moved(const qtr_qtable *table, entry *moved) {
@@ -166,26 +162,30 @@ static void mark_moved(const qtr_qtable *table, entry *moved) {
 static uint32_t place_for(const qtr_qtable *table, const entry *moved, uint32_t slot) {
   const uint32_t last = moved->word[stored_words(table) - 1];
   while (slot_tag(table, slot_read(table, slot)) == table->tag &&
-         is_above(table, slot_read(table, slot), moved->word, last))
+         order_of(table, slot_read(table, slot), moved->word, last) > 0)
     slot = after(table, slot);
   return slot;
+}
+
+static void exchange(const qtr_qtable *table, entry *moved, uint32_t *slot) {
+  for (unsigned w = 0; w < table->entry_words; w++) {
+    const uint32_t out = slot[w];
+    slot[w] = moved->word[w];
+    moved->word[w] = out;
+  }
 }
 
 /* Put an entry where it belongs, then what lay there, and so on up to a free slot. What has been moved already goes on
  * from where it lay, all else from its home. */
 static void place_entry(qtr_qtable *table, entry *moved) {
-  const size_t bytes = table->entry_words * sizeof(uint32_t);
   uint32_t tag = 0;
   uint32_t slot = 0;
   do {
-    entry out;
     if (tag != table->tag) slot = home_slot(table, moved->word);
     mark_moved(table, moved);
     slot = place_for(table, moved, slot);
-    memcpy(out.word, slot_read(table, slot), bytes);
-    memcpy(slot_at(table, slot), moved->word, bytes);
-    tag = slot_tag(table, out.word);
-    memcpy(moved->word, out.word, bytes);
+    exchange(table, moved, slot_at(table, slot));
+    tag = slot_tag(table, moved->word);
   } while (tag != 0);
 }
 
@@ -263,9 +263,11 @@ static bool find(const qtr_qtable *table, const qtr_key *key, uint32_t home, uin
   QTR_ASSERT(!is_growing(table));
   /* Some slot is free, or a search for a key that is not there would go round for ever. */
   QTR_ASSERT(table->entries < table->slots);
-  *slot = home;
-  while (is_above(table, slot_read(table, *slot), key->word, last)) *slot = after(table, *slot);
-  return is_at(table, slot_read(table, *slot), key->word, last);
+  uint32_t at = home;
+  int order;
+  while ((order = order_of(table, slot_read(table, at), key->word, last)) > 0) at = after(table, at);
+  *slot = at;
+  return order == 0;
 }
 
 bool qtr_qtable_get_from(const qtr_qtable *table, const qtr_key *key, uint32_t home, double *value) {
