@@ -207,12 +207,51 @@ unsigned qtr_environment_exit(const qtr_environment *e, const qtr_situation *s, 
 
 /* A tour of length l with `remaining` steps left visits its place i, which lies l - s_i before its end, after
  * remaining - (l - s_i). */
+static qtr_steps steps_to_visit(const qtr_tour *tour, qtr_steps remaining, unsigned i) {
+  const qtr_steps after_it = qtr_tour_length(tour) - tour->step[i];
+  return remaining > after_it ? remaining - after_it : 0;
+}
+
+static bool is_on_tour(const qtr_environment *e, const qtr_situation *s, const qtr_steps *remaining, unsigned seeker) {
+  return remaining[seeker] > 0 && s->at[seeker] < places_of(e);
+}
+
+/* Steps after which a seeker on its way comes by a place of a target; QTR_NEVER where it is bound for another one. */
+static qtr_steps steps_to_place(const qtr_environment *e, const qtr_situation *s, const qtr_steps *remaining,
+                                unsigned seeker, unsigned place) {
+  const qtr_tour *tour = qtr_targets_tour(&e->targets, s->at[seeker]);
+  for (unsigned i = 0; i < tour->places; i++)
+    if (tour->place[i] == place) return steps_to_visit(tour, remaining[seeker], i);
+  return QTR_NEVER;
+}
+
+/* Steps after which the first of those on their way, `remaining` steps from their tours' ends, comes by a place, and
+ * who that is. */
+static qtr_steps first_visit(const qtr_environment *e, const qtr_situation *s, const qtr_steps *remaining,
+                             unsigned place, unsigned *seeker) {
+  qtr_steps least = QTR_NEVER;
+  for (unsigned i = 0; i < e->board.seekers; i++) {
+    if (!is_on_tour(e, s, remaining, i)) continue;
+    const qtr_steps steps = steps_to_place(e, s, remaining, i, place);
+    if (steps >= least) continue;
+    least = steps;
+    *seeker = i;
+  }
+  return least;
+}
+
 qtr_steps qtr_environment_visit(const qtr_environment *e, const qtr_situation *s, unsigned seeker, unsigned i) {
-  if (seeker >= e->board.seekers || s->at[seeker] >= places_of(e)) return 0;
+  if (seeker >= e->board.seekers || !is_on_tour(e, s, s->joint.remaining, seeker)) return 0;
   const qtr_tour *tour = qtr_targets_tour(&e->targets, s->at[seeker]);
   if (i >= tour->places) return 0;
-  const qtr_steps after_it = qtr_tour_length(tour) - tour->step[i];
-  return s->joint.remaining[seeker] > after_it ? s->joint.remaining[seeker] - after_it : 0;
+  if (e->board.rule == QTR_RULE_PAPER) return first_visit(e, s, s->joint.remaining, tour->place[i], &seeker);
+  return steps_to_visit(tour, s->joint.remaining[seeker], i);
+}
+
+/* Whether a place of a target that others are bound for has been visited by one of them. */
+static bool was_visited_on_tour(const qtr_environment *e, const qtr_situation *s, unsigned place) {
+  unsigned seeker;
+  return e->board.rule == QTR_RULE_PAPER && first_visit(e, s, s->joint.remaining, place, &seeker) == 0;
 }
 
 /* A place where the seeker already stands counts at once, before time passes: its reward is apart from the entry's (Q
@@ -235,7 +274,8 @@ static double go_to(const qtr_environment *e, qtr_situation *s, int seeker, uint
   if (!e->aggregated) return go_to_place(e, s, seeker, choice);
   const qtr_steps exact = qtr_targets_duration(&e->targets, (unsigned)seeker, s->at[seeker], choice);
   if (exact == QTR_NEVER) return 0.0;
-  const bool here = qtr_board_steps(&e->game->board, (unsigned)seeker, s->at[seeker], first) == 0;
+  const bool here = qtr_board_steps(&e->game->board, (unsigned)seeker, s->at[seeker], first) == 0 &&
+                    !was_visited_on_tour(e, s, first);
   const bool done = qtr_joint_choose(&s->joint, &e->board, seeker, choice);
   s->at[seeker] = first;
   s->walk[seeker].stage = 0;
@@ -288,15 +328,23 @@ static void collect(const qtr_environment *e, qtr_situation *s, qtr_outcome *out
   qtr_objective_collect(&e->game->objective, outcome, probability, offset, passed);
 }
 
-/* Exact times: each place counts when it is visited. `before` is what remained to the seeker. Place i comes up when l -
- * s_i remains: in this stretch if before > l - s_i >= before - passed. */
+/* Under the paper's rule several may be bound for one target, and come to its places in different orders: each counts
+ * for whoever is there first, and of those who come in one moment for the lowest. */
+static bool is_first_there(const qtr_environment *e, const qtr_situation *s, const qtr_joint *before, unsigned seeker,
+                           unsigned place) {
+  unsigned first = seeker;
+  if (e->board.rule == QTR_RULE_PAPER) first_visit(e, s, before->remaining, place, &first);
+  return first == seeker;
+}
+
+/* Exact times: each place counts when it is visited. `before` is the joint state where the stretch began. */
 static void collect_tour(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome, unsigned seeker,
-                         qtr_steps before, qtr_steps passed) {
+                         const qtr_joint *before, qtr_steps passed) {
   const qtr_tour *tour = qtr_targets_tour(&e->targets, s->at[seeker]);
   for (unsigned i = 0; i < tour->places; i++) {
-    const qtr_steps after_it = qtr_tour_length(tour) - tour->step[i];
-    if (before <= after_it || before - after_it > passed) continue;
-    collect(e, s, outcome, e->game->probability[tour->place[i]], before - after_it, passed);
+    const qtr_steps steps = steps_to_visit(tour, before->remaining[seeker], i);
+    if (steps == 0 || steps > passed || !is_first_there(e, s, before, seeker, tour->place[i])) continue;
+    collect(e, s, outcome, e->game->probability[tour->place[i]], steps, passed);
   }
 }
 
@@ -323,17 +371,9 @@ static void settle_seeker(const qtr_environment *e, qtr_situation *s, unsigned s
   }
 }
 
-/* Visits are counted seeker by seeker, so two who arrive in one moment count once. Whether a seeker's
- * tour still counts: under the paper's rule another may have visited its target before it. */
-static bool still_counts(const qtr_situation *s, const qtr_environment *e, unsigned seeker,
-                         const qtr_places *visited_before) {
-  return !qtr_places_has(visited_before, qtr_targets_tour(&e->targets, s->at[seeker])->target);
-}
-
 /* By regions all of a target counts when it is seen to be done: what is seen within a tour is no time of a visit. */
 static void collect_all(const qtr_environment *e, qtr_situation *s, qtr_outcome *outcome, const qtr_joint *before,
                         const qtr_places *arrived, qtr_steps passed) {
-  qtr_places counted = before->visited;
   if (!qtr_sight_is_exact(&e->sight)) {
     for (unsigned target = 0; target < e->targets.count; target++)
       if (qtr_places_has(arrived, target))
@@ -341,9 +381,10 @@ static void collect_all(const qtr_environment *e, qtr_situation *s, qtr_outcome 
     return;
   }
   for (unsigned i = 0; i < e->board.seekers; i++) {
-    if (before->remaining[i] == 0 || s->at[i] >= places_of(e) || !still_counts(s, e, i, &counted)) continue;
-    collect_tour(e, s, outcome, i, before->remaining[i], passed);
-    if (before->remaining[i] == passed) qtr_places_add(&counted, qtr_targets_tour(&e->targets, s->at[i])->target);
+    if (!is_on_tour(e, s, before->remaining, i)) continue;
+    /* Of a target visited nothing is left: under the paper's rule one may still be on its way to it. */
+    if (qtr_places_has(&before->visited, qtr_targets_tour(&e->targets, s->at[i])->target)) continue;
+    collect_tour(e, s, outcome, i, before, passed);
   }
 }
 

@@ -54,8 +54,9 @@ double qtr_environment_rate(const qtr_environment *environment, unsigned seeker,
  * none. */
 unsigned qtr_environment_exit(const qtr_environment *environment, const qtr_situation *situation, unsigned seeker);
 
-/* Step at which a seeker on its way visits place `i` of its tour, counted from now; 0: visited already, or there is no
- * such seeker or place. */
+/* Steps from now until place `i` of the tour of a seeker on its way is visited, by it or, under the paper's rule, by
+ * another one that is bound for its target and comes there sooner. 0: visited already, or there is no such seeker or
+ * place. */
 qtr_steps qtr_environment_visit(const qtr_environment *environment, const qtr_situation *situation, unsigned seeker,
                                 unsigned i);
 

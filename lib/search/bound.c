@@ -126,10 +126,11 @@ void qtr_bound_init(qtr_bound *bound, void *block, const qtr_environment *enviro
   bound->game = environment->game;
   qtr_gains_init(&bound->gains, block, environment);
   qtr_gains_cut(&bound->gains, price_by_visits(bound, visit));
+  bound->shares = environment->aggregated && environment->board.rule == QTR_RULE_PAPER;
   bound->iterations = 0;
   bound->rounds = 1;
   bound->upper = bound->upper_before = HUGE_VAL;
-  if (!begin_cuts(bound)) bound->upper = qtr_bound_at_once(bound);
+  if (bound->shares || !begin_cuts(bound)) bound->upper = qtr_bound_at_once(bound);
 }
 
 /* The next prices are to bring the bound down to the goal, as long as the cuts allow that, then half the way to its
@@ -181,6 +182,7 @@ static bool remember_more(qtr_bound *bound, double goal) {
 bool qtr_bound_improve(qtr_bound *bound, double goal) {
   double step[QTR_MAX_PLACES];
   int visits[QTR_MAX_PLACES];
+  if (bound->shares) return false;
   if (bound->steps_without_gain == PATIENCE || !find_step(bound, goal, step)) return remember_more(bound, goal);
   put_on_trial(bound, step);
   const double upper = evaluate(bound, bound->trial, visits);
@@ -194,7 +196,7 @@ bool qtr_bound_improve(qtr_bound *bound, double goal) {
 }
 
 bool qtr_bound_settle(qtr_bound *bound) {
-  return fill(bound, bound->price);
+  return bound->shares || fill(bound, bound->price);
 }
 
 /* ---- states ---- */
@@ -259,7 +261,8 @@ static qtr_steps soonest(const qtr_bound *bound, const crew *in, unsigned place)
   return least;
 }
 
-/* The visits that a seeker is on its way to. Under the paper's rule another one may be there first. */
+/* The visits that seekers are on their way to, all of the target of one of them. Under the paper's rule another one may
+ * be there first. */
 static double worth_of_tour(const qtr_bound *bound, const qtr_situation *after, const crew *in, unsigned seeker) {
   const qtr_tour *tour = qtr_targets_tour(&bound->environment->targets, after->at[seeker]);
   double worth = 0.0;
@@ -319,7 +322,7 @@ static double bound_all_at_once(const qtr_bound *bound, const qtr_situation *aft
 double qtr_bound_state(const qtr_bound *bound, const qtr_situation *after) {
   crew in;
   muster(&in, bound, after);
-  const double prices = bound_by_prices(bound, after, &in);
+  const double prices = bound->shares ? HUGE_VAL : bound_by_prices(bound, after, &in);
   const double plain = bound_all_at_once(bound, after, &in);
   const qtr_objective *objective = &bound->game->objective;
   const double upper = worth_under_way(bound, after, &in) + (prices < plain ? prices : plain) +

@@ -30,8 +30,9 @@
 
 typedef struct {
   const qtr_environment *environment;
-  const qtr_game *game;         /* the environment's */
-  double upper;                 /* the bound on the whole game under `price` */
+  const qtr_game *game; /* the environment's */
+  bool shares;          /* two seekers may visit one target between them, each some places: no prices bound it */
+  double upper;         /* the bound on the whole game under `price` */
   double price[QTR_MAX_PLACES]; /* the best so far, in force */
   double trial[QTR_MAX_PLACES]; /* being tried */
   double floor;                 /* below which no prices bring the bound, as far as is known */

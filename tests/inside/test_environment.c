@@ -136,7 +136,6 @@ static void test_choice_taken_back_leaves_no_trace(void) {
     mission_random(&mission, &random, (mission_size){8, 7, 8, 3});
     set_up_game();
     take_choices_back(ground, &random);
-    mission.rule = QTR_RULE_FREE;
     set_regions_of_one();
     set_up_aggregate(&spots, QTR_SPOT_BEST, random_chance(&random, 50) ? &regions : NULL);
     take_choices_back(aggregate, &random);
@@ -171,7 +170,6 @@ static void test_spots_earn_what_their_tours_earn_on_the_ground(void) {
     double earned = 0.0, discount = 1.0;
     int seeker;
     mission_random(&mission, &random, (mission_size){8, 7, 8, 3});
-    mission.rule = QTR_RULE_FREE;
     set_up_game();
     const qtr_spots_config spots = random_spots(&random);
     set_up_aggregate(&spots, random_chance(&random, 50) ? QTR_SPOT_BEST : QTR_SPOT_NEAREST, NULL);
