@@ -31,22 +31,13 @@ double qtr_gains_go_home(const qtr_gains *gains, unsigned kind, unsigned node, q
                              when + qtr_game_way_home(gains->game, seeker_of(gains, kind), node));
 }
 
-/* Steps from the start of the tour at `place` to the start of the next target's. */
-static qtr_steps steps_apart(const qtr_gains *gains, unsigned kind, unsigned place, unsigned target) {
-  const qtr_tour *tour = gains_tour_at(gains, place);
-  if (tour->places == 0 || tour->target == target) return QTR_NEVER;
-  const uint16_t last = tour->place[tour->places - 1];
-  const uint16_t first = gains_first_of(gains, last, target);
-  if (first == QTR_STAND_DOWN || qtr_gains_travel(gains, kind, last)[first] == QTR_NEVER) return QTR_NEVER;
-  return tour->step[tour->places - 1] + qtr_gains_travel(gains, kind, last)[first];
-}
-
 static qtr_steps shortest_apart(const qtr_gains *gains) {
   qtr_steps shortest = QTR_NEVER;
   for (unsigned kind = 0; kind < gains->kinds; kind++)
     for (unsigned place = 0; place < gains_places(gains); place++)
       for (unsigned target = 0; target < gains_targets(gains); target++)
-        if (steps_apart(gains, kind, place, target) < shortest) shortest = steps_apart(gains, kind, place, target);
+        if (qtr_ways_apart(gains, kind, place, target) < shortest)
+          shortest = qtr_ways_apart(gains, kind, place, target);
   return shortest;
 }
 
@@ -61,20 +52,6 @@ static uint64_t horizon_of(const qtr_gains *gains, qtr_steps last_visit) {
 }
 
 /* ---- slots ---- */
-
-/* How far `into` a slot lies on the line to the next one. Worth is linear in gamma^t, whose first step is different: a
- * place visited at step 0 is worth as much as at step 1. */
-double qtr_gains_share(const qtr_gains *gains, uint32_t slot, qtr_steps into) {
-  if (gains->clocked || into == 0) return 0.0;
-  if (gains->game->objective.kind == QTR_TIME) return (double)into / (double)gains->slot_steps;
-  return slot == 0 ? 0.0 : (1.0 - qtr_objective_power(&gains->game->objective, into)) / gains->slot_fall;
-}
-
-/* As a float that is not above it: less of the line is more of the bound. */
-static float share_below(double share) {
-  const float nearest = (float)share;
-  return (double)nearest > share ? nextafterf(nearest, 0.0f) : nearest;
-}
 
 /* Slots as long as the horizon asks for, but never longer than the shortest way between two targets, or a walk would
  * not move on in time. */
@@ -98,8 +75,10 @@ static void cut_slots(qtr_gains *gains, qtr_steps last_visit) {
 static uint64_t steps_around(const qtr_gains *gains, unsigned target, unsigned other) {
   uint64_t least = QTR_NEVER;
   for (unsigned kind = 0; kind < gains->kinds; kind++) {
-    const qtr_steps there = steps_apart(gains, kind, qtr_targets_place(&gains->environment->targets, target, 0), other);
-    const qtr_steps back = steps_apart(gains, kind, qtr_targets_place(&gains->environment->targets, other, 0), target);
+    const qtr_steps there =
+        qtr_ways_apart(gains, kind, qtr_targets_place(&gains->environment->targets, target, 0), other);
+    const qtr_steps back =
+        qtr_ways_apart(gains, kind, qtr_targets_place(&gains->environment->targets, other, 0), target);
     if (there != QTR_NEVER && back != QTR_NEVER && (uint64_t)there + back < least) least = (uint64_t)there + back;
   }
   return least;
@@ -122,7 +101,7 @@ static unsigned next_neighbour(const qtr_gains *gains, unsigned target) {
 }
 
 static uint32_t gains_a_slot(const qtr_gains *gains) {
-  uint32_t row = 0;
+  uint32_t row = 1;
   for (unsigned place = 0; place < gains_places(gains); place++)
     row += gains_best_ahead(gains, gains_target_of(gains, place)) +
            qtr_near_memories(&gains->near, gains_target_of(gains, place));
@@ -168,7 +147,7 @@ static bool add_neighbours(qtr_gains *gains) {
 }
 
 static void lay_entries(qtr_gains *gains) {
-  gains->row = 0;
+  gains->row = 1;
   for (unsigned place = 0; place < gains_places(gains); place++) {
     const unsigned target = gains_target_of(gains, place);
     gains->entry[place] = gains->row + gains_best_ahead(gains, target);
@@ -176,28 +155,10 @@ static void lay_entries(qtr_gains *gains) {
   }
 }
 
-static qtr_gains_way way_between(const qtr_gains *gains, unsigned kind, unsigned place, unsigned target) {
-  const qtr_steps apart = steps_apart(gains, kind, place, target);
-  qtr_gains_way way = {QTR_NEVER, 0.0f, 0};
-  if (apart == QTR_NEVER || qtr_looks_is_before(&gains->looks, target, gains_target_of(gains, place))) return way;
-  way.slots = apart / gains->slot_steps;
-  way.share = share_below(qtr_gains_share(gains, way.slots, apart % gains->slot_steps));
-  way.entry = gains->entry[gains_first_of(gains, qtr_tour_exit(gains_tour_at(gains, place)), target)] +
-              qtr_near_mark(&gains->near, target, gains_target_of(gains, place));
-  return way;
-}
-
-static void measure_ways(qtr_gains *gains) {
-  for (unsigned kind = 0; kind < gains->kinds; kind++)
-    for (unsigned place = 0; place < gains_places(gains); place++)
-      for (unsigned target = 0; target < gains_targets(gains); target++)
-        gains_ways_from(gains, kind, place)[target] = way_between(gains, kind, place, target);
-}
-
 bool qtr_gains_remember_more(qtr_gains *gains) {
   if (!add_neighbours(gains)) return false;
   lay_entries(gains);
-  measure_ways(gains);
+  qtr_ways_measure(gains);
   return true;
 }
 
@@ -205,7 +166,7 @@ void qtr_gains_cut(qtr_gains *gains, qtr_steps last_visit) {
   cut_slots(gains, last_visit);
   add_neighbours(gains);
   lay_entries(gains);
-  measure_ways(gains);
+  qtr_ways_measure(gains);
 }
 
 /* ---- set-up ---- */

@@ -16,6 +16,7 @@
 
 #include "quarter/config.h"
 #include "search/rows.h"
+#include "search/ways.h"
 
 /* Bytes of the block that the gains and times of a game take. A game by legs has two tables of times. */
 size_t qtr_gains_bytes(const qtr_game *game);
@@ -69,15 +70,12 @@ typedef struct {
   double share; /* 0..1 */
 } qtr_moment;
 
-/* The share of a step that lies `into` steps into a slot, 0 to slot_steps - 1; always 0 with a clock. */
-double qtr_gains_share(const qtr_gains *gains, uint32_t slot, qtr_steps into);
-
 /* Slots past the last one are any numbers: qtr_gains_in() knows them for late. */
 static inline qtr_moment qtr_gains_when(const qtr_gains *gains, qtr_steps when) {
   qtr_moment moment = {when, 0.0};
   if (gains->slot_steps == 1) return moment;
   moment.slot = when / gains->slot_steps;
-  moment.share = qtr_gains_share(gains, moment.slot, when % gains->slot_steps);
+  moment.share = qtr_ways_share(gains, moment.slot, when % gains->slot_steps);
   return moment;
 }
 
@@ -99,18 +97,6 @@ static inline double qtr_gains_at(const qtr_gains *gains, unsigned kind, unsigne
 /* What a move between two targets is charged. */
 static inline double qtr_gains_charge_of(const qtr_gains *gains, unsigned from, unsigned to) {
   return gains->charge == NULL ? 0.0 : gains->charge[from * gains->environment->targets.count + to];
-}
-
-/* Steps from a node to each place, for a kind. */
-static inline qtr_steps *qtr_gains_travel(const qtr_gains *gains, unsigned kind, unsigned node) {
-  const size_t places = gains->game->board.places;
-  return gains->travel + (kind * (places + gains->game->board.starts) + node) * places;
-}
-
-/* Steps after which it can be at each place at the soonest, whatever it visits on the way. */
-static inline const qtr_steps *qtr_gains_soonest(const qtr_gains *gains, unsigned kind, unsigned node) {
-  const size_t places = gains->game->board.places;
-  return gains->soonest + (kind * (places + gains->game->board.starts) + node) * places;
 }
 
 #endif

@@ -1,5 +1,5 @@
-/* How C (search/gains.h) stands in the caller's block: for each kind and slot a row, in it the gains of each place, one
- * for each memory. */
+/* How C (search/gains.h) stands in the caller's block: for each kind and slot a row, in it the most that is collected
+ * from that slot on, wherever, and then the gains of each place, one for each memory. */
 #ifndef QUARTER_SEARCH_ROWS_H
 #define QUARTER_SEARCH_ROWS_H
 
@@ -14,10 +14,17 @@
 
 /* The way from a tour's first place to the next target's. */
 typedef struct {
-  uint32_t slots; /* whole ones; QTR_NEVER: there is no way */
-  float share;    /* and how far the rest of the way reaches on the line to the next slot */
-  uint32_t entry; /* where in a slot the gains stand of a walk that remembers nothing but where it comes from */
+  uint32_t
+      entry;   /* where in a slot the gains stand of a walk that remembers nothing but where it comes from: of several
+                      looks the best one's */
+  float share; /* and how far the rest of the way reaches on the line to the next slot */
+  uint16_t slots;  /* whole ones, up to all that are in use; QTR_NO_WAY */
+  uint16_t target; /* of several looks at a place the first one */
 } qtr_gains_way;
+
+#define QTR_NO_WAY UINT16_MAX
+
+typedef char qtr_slots_fit_ways[QTR_BOUND_SLOTS < QTR_NO_WAY ? 1 : -1];
 
 typedef struct {
   const qtr_environment *environment;
@@ -35,9 +42,10 @@ typedef struct {
   qtr_looks looks;
   qtr_near near;
   /* In the caller's block, one after another for each kind. */
-  double *gain;       /* a row a slot, and one for what is past the last slot */
-  qtr_gains_way *way; /* a row of targets a place */
-  qtr_steps *travel;  /* a row of places a node: as in the game, unpacked */
+  double *gain; /* a row a slot, and one for what is past the last slot */
+  qtr_gains_way
+      *way;          /* a row of targets a place: ways to other places, the nearest first, then that to the next look */
+  qtr_steps *travel; /* a row of places a node: as in the game, unpacked */
   qtr_steps
       *soonest; /* the same by way of other places, where that is sooner; on a map it never is, and these are one */
 } qtr_gains;
@@ -52,6 +60,12 @@ static inline unsigned gains_targets(const qtr_gains *gains) {
 
 static inline qtr_gains_way *gains_ways_from(const qtr_gains *gains, unsigned kind, unsigned place) {
   return gains->way + ((size_t)kind * gains_places(gains) + place) * gains_targets(gains);
+}
+
+/* The way to the next look at the same place, behind those to the first looks: where there are several, they are
+ * fewer. */
+static inline qtr_gains_way *gains_way_to_next(const qtr_gains *gains, unsigned kind, unsigned place) {
+  return gains_ways_from(gains, kind, place) + gains->looks.firsts;
 }
 
 static inline double *gains_row(const qtr_gains *gains, unsigned kind, uint32_t slot) {
@@ -74,6 +88,18 @@ static inline const qtr_tour *gains_tour_at(const qtr_gains *gains, unsigned pla
 /* Ahead of the first of several looks stands the best of all of them, for each memory. */
 static inline uint32_t gains_best_ahead(const qtr_gains *gains, unsigned target) {
   return qtr_looks_are_several(&gains->looks, target) ? qtr_near_memories(&gains->near, target) : 0;
+}
+
+/* Steps from a node to each place, for a kind. */
+static inline qtr_steps *qtr_gains_travel(const qtr_gains *gains, unsigned kind, unsigned node) {
+  const size_t places = gains->game->board.places;
+  return gains->travel + (kind * (places + gains->game->board.starts) + node) * places;
+}
+
+/* Steps after which it can be at each place at the soonest, whatever it visits on the way. */
+static inline const qtr_steps *qtr_gains_soonest(const qtr_gains *gains, unsigned kind, unsigned node) {
+  const size_t places = gains->game->board.places;
+  return gains->soonest + (kind * (places + gains->game->board.starts) + node) * places;
 }
 
 #endif

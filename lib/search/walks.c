@@ -6,7 +6,7 @@
 #include "search/rows.h"
 
 #define WATCH_SLOTS 32u /* filled from one asking of the watch to the next */
-#define LISTED 8u       /* ways on, the best, that are ranked for all memories of a place at once */
+#define LISTED 4u       /* ways on, the best, that are ranked for all memories of a place at once */
 
 /* What the tour begun at `place` is worth, net of its price: sum of worth(p_i, t + s_i) - lambda, s_i the step of its
  * visit i. */
@@ -48,12 +48,15 @@ static void fill_late(qtr_gains *gains, const double *price) {
     all += net > 0.0 ? net : 0.0;
   }
   for (unsigned kind = 0; kind < gains->kinds; kind++) {
+    double *row = gains_row(gains, kind, gains->slots);
+    row[0] = -HUGE_VAL;
     for (unsigned place = 0; place < gains_places(gains); place++) {
       const unsigned target = gains_target_of(gains, place);
       const double net = target_worth(gains, target, end) - price[target];
       const double late = all + (net > 0.0 ? 0.0 : net) + qtr_gains_go_home(gains, kind, QTR_STAND_DOWN, end);
       for (unsigned memory = 0; memory < qtr_near_memories(&gains->near, target); memory++)
-        gains_row(gains, kind, gains->slots)[gains->entry[place] + memory] = late;
+        row[gains->entry[place] + memory] = late;
+      if (late > row[0]) row[0] = late;
       keep_best_look(gains, kind, gains->slots, place);
     }
   }
@@ -61,31 +64,45 @@ static void fill_late(qtr_gains *gains, const double *price) {
 
 /* ---- ways on from a place at a slot ---- */
 
-/* The best ways on, best first, of a walk that remembers nothing; more memory is never worth more. */
+/* The best ways on, best first, of a walk that remembers nothing but where it is; more memory is never worth more. */
 typedef struct {
   double value[LISTED];
-  uint16_t target[LISTED];
+  uint16_t way[LISTED];
   unsigned count;
   double unlisted; /* the most that any other is worth */
 } ways_on;
 
-/* What a walk at a slot collects that goes a way, and stands there so many entries on. */
-static inline double follow(const qtr_gains *gains, const double *now, uint32_t slots_left, const qtr_gains_way *way,
-                            uint32_t entry) {
-  const uint32_t then = way->slots < slots_left ? way->slots : slots_left;
-  const double *in = now + (size_t)then * gains->row + entry;
-  if (way->share == 0.0f || then == slots_left) return *in;
+/* Where a walk stands, a kind's at a place at a slot, and what lies before it. */
+typedef struct {
+  const double *now; /* the slot's row */
+  uint32_t slots_left;
+  const qtr_gains_way *ways; /* to first looks, the nearest first */
+} outlook;
+
+static outlook look_out(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place) {
+  return (outlook){gains_row(gains, kind, slot), gains->slots - slot, gains_ways_from(gains, kind, place)};
+}
+
+/* The row that a way leads to, or comes behind. */
+static inline const double *row_at(const qtr_gains *gains, const outlook *from, const qtr_gains_way *way) {
+  return from->now + (size_t)(way->slots < from->slots_left ? way->slots : from->slots_left) * gains->row;
+}
+
+/* What a walk collects that goes a way, and stands there so many entries on in the row. */
+static inline double follow(const qtr_gains *gains, const outlook *from, const qtr_gains_way *way, uint32_t entry) {
+  const double *in = row_at(gains, from, way) + entry;
+  if (way->share == 0.0f || way->slots >= from->slots_left) return *in;
   return *in + (double)way->share * (in[gains->row] - *in);
 }
 
-static inline void list_way(ways_on *on, double value, unsigned target) {
+static inline void list_way(ways_on *on, double value, unsigned way) {
   unsigned i = on->count < LISTED ? on->count++ : LISTED - 1;
   for (; i > 0 && on->value[i - 1] < value; i--) {
     on->value[i] = on->value[i - 1];
-    on->target[i] = on->target[i - 1];
+    on->way[i] = on->way[i - 1];
   }
   on->value[i] = value;
-  on->target[i] = (uint16_t)target;
+  on->way[i] = (uint16_t)way;
   if (on->count == LISTED) on->unlisted = on->value[LISTED - 1];
 }
 
@@ -97,20 +114,19 @@ static double least_charge(const qtr_gains *gains, unsigned from, unsigned first
   return least;
 }
 
-/* To other places that are worth more than `least`, by the best look at each. */
-static void list_ways(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, double least, ways_on *on) {
-  const qtr_gains_way *ways = gains_ways_from(gains, kind, place);
-  const double *now = gains_row(gains, kind, slot);
-  const uint32_t slots_left = gains->slots - slot;
+/* To other places that are worth more than `least`, by the best look at each. Ways further than one whose slot is worth
+ * no more to anybody, from then on and anywhere, are not looked at. */
+static void list_ways(const qtr_gains *gains, const outlook *from, unsigned place, double least, ways_on *on) {
   on->count = 0;
   on->unlisted = least;
-  for (unsigned target = 0; target < gains->looks.firsts; target++) {
-    if (ways[target].slots == QTR_NEVER) continue;
+  for (unsigned i = 0; i < gains->looks.firsts; i++) {
+    const qtr_gains_way *way = &from->ways[i];
+    if (way->slots == QTR_NO_WAY || row_at(gains, from, way)[0] <= on->unlisted) return;
     /* Walks move on in time: C(t, p) needs later slots alone, and those have been filled. */
-    QTR_ASSERT(ways[target].slots > 0);
-    double value = follow(gains, now, slots_left, &ways[target], ways[target].entry - gains_best_ahead(gains, target));
-    if (gains->charge != NULL) value -= least_charge(gains, gains_target_of(gains, place), target);
-    if (value > on->unlisted) list_way(on, value, target);
+    QTR_ASSERT(way->slots > 0);
+    double value = follow(gains, from, way, way->entry);
+    if (gains->charge != NULL) value -= least_charge(gains, gains_target_of(gains, place), way->target);
+    if (value > on->unlisted) list_way(on, value, i);
   }
 }
 
@@ -141,61 +157,68 @@ static void move_memories(const qtr_gains *gains, unsigned here, unsigned target
 
 /* By way of `way`, whose gains stand at `entry` of a slot, with a memory that holds some of `with`, if that is any, and
  * none of `without`. */
-static void go_on(const qtr_gains *gains, const double *now, uint32_t slots_left, const qtr_gains_way *way,
-                  uint32_t entry, double charge, qtr_memory with, qtr_memory without, ahead *on) {
+static void go_on(const qtr_gains *gains, const outlook *from, const qtr_gains_way *way, uint32_t entry, double charge,
+                  qtr_memory with, qtr_memory without, ahead *on) {
   for (unsigned memory = 0; memory < on->memories; memory++) {
     if ((memory & without) != 0 || (with != 0 && (memory & with) == 0)) continue;
-    const double value = follow(gains, now, slots_left, way, entry + on->then[memory]) - charge;
+    const double value = follow(gains, from, way, entry + on->then[memory]) - charge;
     if (value > on->most[memory]) on->most[memory] = value;
   }
 }
 
 /* To a target, or to whichever look at a place: where none is remembered, to the best one. */
-static void go_on_to(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, unsigned first, ahead *on) {
-  const double *now = gains_row(gains, kind, slot);
-  const uint32_t slots_left = gains->slots - slot;
-  const unsigned here = gains_target_of(gains, place);
-  const qtr_gains_way *ways = gains_ways_from(gains, kind, place);
-  const uint32_t best = gains->charge == NULL ? gains_best_ahead(gains, first) : 0;
+static void go_on_to(const qtr_gains *gains, const outlook *from, unsigned here, const qtr_gains_way *way, ahead *on) {
+  const unsigned first = way->target;
+  const uint32_t best = gains_best_ahead(gains, first);
   qtr_memory known = 0;
-  if (ways[first].slots == QTR_NEVER) return;
+  if (way->slots == QTR_NO_WAY) return;
   move_memories(gains, here, first, on);
-  const uint32_t nothing = on->then[0];
-  if (best != 0) {
+  uint32_t entry = way->entry - on->then[0];
+  if (best != 0 && gains->charge == NULL) {
     for (unsigned look = first; look != QTR_STAND_DOWN; look = qtr_looks_next(&gains->looks, look))
       known |= qtr_near_bit(&gains->near, here, look);
-    go_on(gains, now, slots_left, &ways[first], ways[first].entry - nothing - best, 0.0, 0, known, on);
+    go_on(gains, from, way, entry, 0.0, 0, known, on);
     if (known == 0) return;
   }
-  for (unsigned look = first; look != QTR_STAND_DOWN; look = qtr_looks_next(&gains->looks, look))
-    go_on(gains, now, slots_left, &ways[look], ways[look].entry - nothing, qtr_gains_charge_of(gains, here, look),
-          known, qtr_near_bit(&gains->near, here, look), on);
+  entry += best;
+  for (unsigned look = first; look != QTR_STAND_DOWN; look = qtr_looks_next(&gains->looks, look)) {
+    if (look != first) entry = gains->entry[look];
+    go_on(gains, from, way, entry, qtr_gains_charge_of(gains, here, look), known,
+          qtr_near_bit(&gains->near, here, look), on);
+  }
 }
 
 /* The ways listed, best first, as long as they are worth more than what is known; then all, where that is less than
  * what is not listed. */
-static void go_on_by(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, const ways_on *ways,
-                     ahead *on) {
-  for (unsigned i = 0; i < ways->count; i++) {
-    if (!is_any_below(on, ways->value[i])) return;
-    go_on_to(gains, kind, slot, place, ways->target[i], on);
+static void go_on_by(const qtr_gains *gains, const outlook *from, unsigned here, const ways_on *listed, ahead *on) {
+  for (unsigned i = 0; i < listed->count; i++) {
+    if (!is_any_below(on, listed->value[i])) return;
+    go_on_to(gains, from, here, &from->ways[listed->way[i]], on);
   }
-  if (!is_any_below(on, ways->unlisted)) return;
-  for (unsigned target = 0; target < gains->looks.firsts; target++) go_on_to(gains, kind, slot, place, target, on);
+  if (!is_any_below(on, listed->unlisted)) return;
+  for (unsigned i = 0; i < gains->looks.firsts; i++) {
+    const qtr_gains_way *way = &from->ways[i];
+    if (way->slots == QTR_NO_WAY || !is_any_below(on, row_at(gains, from, way)[0])) return;
+    go_on_to(gains, from, here, way, on);
+  }
 }
 
 /* C(t, j, memory) with the tour that it begins: net(j, t) + max(0, max over p of C(t + d(j, p), p, memory there)), d
  * from tour's start to start. A tour that leaves no time to go home is none. */
-static void fill_gains(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, const ways_on *ways,
+static void fill_gains(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, const ways_on *listed,
                        double home, double net) {
-  double *gain = gains_row(gains, kind, slot) + gains->entry[place];
-  const unsigned next = qtr_looks_next(&gains->looks, place);
+  const outlook from = look_out(gains, kind, slot, place);
+  const unsigned here = gains_target_of(gains, place);
+  double *row = gains_row(gains, kind, slot);
+  double *gain = row + gains->entry[place];
   ahead on;
-  on.memories = qtr_near_memories(&gains->near, gains_target_of(gains, place));
+  on.memories = qtr_near_memories(&gains->near, here);
   for (unsigned memory = 0; memory < on.memories; memory++) on.most[memory] = home;
-  if (next != QTR_STAND_DOWN) go_on_to(gains, kind, slot, place, next, &on);
-  go_on_by(gains, kind, slot, place, ways, &on);
+  if (qtr_looks_next(&gains->looks, place) != QTR_STAND_DOWN)
+    go_on_to(gains, &from, here, gains_way_to_next(gains, kind, place), &on);
+  go_on_by(gains, &from, here, listed, &on);
   for (unsigned memory = 0; memory < on.memories; memory++) gain[memory] = net + on.most[memory];
+  if (gain[0] > row[0]) row[0] = gain[0];
 }
 
 static void fill_with_none(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place) {
@@ -212,16 +235,26 @@ static void fill_looks(const qtr_gains *gains, unsigned kind, uint32_t slot, uns
   const qtr_steps done = when + qtr_tour_length(tour);
   const bool in_time = qtr_gains_in_time(gains, kind, qtr_tour_exit(tour), done);
   const double home = qtr_gains_go_home(gains, kind, qtr_tour_exit(tour), done);
-  ways_on ways;
-  list_ways(gains, kind, slot, first, home, &ways);
+  ways_on listed;
+  outlook from = look_out(gains, kind, slot, first);
+  list_ways(gains, &from, first, home, &listed);
   for (unsigned look = first; look != QTR_STAND_DOWN; look = qtr_looks_next(&gains->looks, look)) {
-    if (look != first && gains->charge != NULL) list_ways(gains, kind, slot, look, home, &ways);
+    if (look != first && gains->charge != NULL) {
+      from = look_out(gains, kind, slot, look);
+      list_ways(gains, &from, look, home, &listed);
+    }
     if (in_time)
-      fill_gains(gains, kind, slot, look, &ways, home, net_worth(gains, price, look, when));
+      fill_gains(gains, kind, slot, look, &listed, home, net_worth(gains, price, look, when));
     else
       fill_with_none(gains, kind, slot, look);
     keep_best_look(gains, kind, slot, look);
   }
+}
+
+/* The most from a slot on is no less than that of the next. */
+static void begin_slot(const qtr_gains *gains, uint32_t slot) {
+  for (unsigned kind = 0; kind < gains->kinds; kind++)
+    gains_row(gains, kind, slot)[0] = gains_row(gains, kind, slot + 1)[0];
 }
 
 /* Backwards in time, for each slot rests on later ones alone. False: stopped, and the gains are those of no prices. */
@@ -229,6 +262,7 @@ bool qtr_gains_fill(qtr_gains *gains, const double *price) {
   fill_late(gains, price);
   for (uint32_t slot = gains->slots; slot-- > 0;) {
     if (slot % WATCH_SLOTS == 0 && !qtr_watch_go_on(&gains->game->mission->watch)) return false;
+    begin_slot(gains, slot);
     for (unsigned place = 0; place < gains_places(gains); place++) {
       if (gains_tour_at(gains, place)->places == 0 || qtr_looks_before(&gains->looks, place) != QTR_STAND_DOWN)
         continue;

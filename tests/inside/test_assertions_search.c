@@ -55,7 +55,7 @@ static void bound_ways_without_time(void) {
 }
 
 static void bound_walks_that_stand_still(void) {
-  table_learner->bound.gains.way[1].slots = 0;
+  table_learner->bound.gains.way[0].slots = 0;
   qtr_bound_improve(&table_learner->bound, 0.0);
 }
 
