@@ -12,7 +12,7 @@
 /* Of games that are searched by vicinity: rounds of the first run for each place, and of a step for each slot and place
  * that its prices fill; they take as long as these then. */
 #define LARGE_RUN 32u
-#define LARGE_SHARE 16u
+#define LARGE_SHARE 64u
 
 static bool is_large(const qtr_learner *learner) {
   return qtr_vicinity_in_use(&learner->vicinity);

@@ -6,6 +6,7 @@
 #include "model/rounding.h"
 #include "quarter/status.h"
 #include "robot/board.h"
+#include "search/cuts.h"
 
 #define LEVEL 0.5        /* of the way from the bound to its floor is what a step aims at */
 #define LEVELS 8u        /* that are tried for a step */
@@ -83,20 +84,7 @@ double qtr_bound_at_once(const qtr_bound *bound) {
   return upper;
 }
 
-/* L's slope: 1 - visits with each price. A cut says what L is at least, by what it was at the prices on trial; what it
- * says of the prices in force is `step` before that. */
-static void add_cut(qtr_bound *bound, double upper, const int *visits, const double *step) {
-  int16_t slope[QTR_MAX_PLACES];
-  double at_center = upper;
-  for (unsigned target = 0; target < targets_of(bound); target++) {
-    /* So many visits come of absurd prices alone, and a cut that says too little of them leads away no less. */
-    slope[target] = (int16_t)(visits[target] < INT16_MAX ? 1 - visits[target] : -INT16_MAX);
-    at_center -= (double)slope[target] * step[target];
-  }
-  qtr_bundle_add(&bound->bundle, at_center, slope);
-}
-
-/* The first cut, at the prices in force. False: stopped. */
+/* The first cuts, at the prices in force. False: stopped. */
 static bool begin_cuts(qtr_bound *bound) {
   const double step[QTR_MAX_PLACES] = {0.0};
   int visits[QTR_MAX_PLACES];
@@ -105,7 +93,7 @@ static bool begin_cuts(qtr_bound *bound) {
   qtr_bundle_init(&bound->bundle, targets_of(bound));
   const double upper = evaluate(bound, bound->price, visits);
   if (upper == HUGE_VAL) return false;
-  add_cut(bound, upper, visits, step);
+  qtr_cuts_add(&bound->bundle, &bound->gains, bound->price, step, upper, visits);
   if (upper < bound->upper) bound->upper = upper;
   return true;
 }
@@ -190,7 +178,7 @@ bool qtr_bound_improve(qtr_bound *bound, double goal) {
   bound->iterations++;
   bound->steps_without_gain++;
   if (upper < bound->upper - LEAST_DROP * (bound->upper - goal)) bound->steps_without_gain = 0;
-  add_cut(bound, upper, visits, step);
+  qtr_cuts_add(&bound->bundle, &bound->gains, bound->trial, step, upper, visits);
   if (upper < bound->upper) keep_trial(bound, upper, step);
   return bound->upper > goal;
 }

@@ -50,6 +50,11 @@ bool qtr_gains_fill(qtr_gains *gains, const double *price);
 /* What a seeker's best walk from its start collects; adds up in `visits` how often it comes to each target. */
 double qtr_gains_walk(const qtr_gains *gains, unsigned seeker, int *visits);
 
+/* What a walk of a seeker's collects under these prices that goes where most can be collected but to targets in `but`;
+ * adds up in `visits` as above. */
+double qtr_gains_walk_but(const qtr_gains *gains, unsigned seeker, const qtr_places *but, const double *price,
+                          int *visits);
+
 /* What going home from a node (QTR_STAND_DOWN: from wherever it is least) costs a seeker of a kind at step `when`: 0 or
  * less. */
 double qtr_gains_go_home(const qtr_gains *gains, unsigned kind, unsigned node, qtr_steps when);

@@ -285,13 +285,16 @@ static unsigned target_at(const qtr_gains *gains, unsigned node) {
   return node < gains_places(gains) ? gains_target_of(gains, node) : QTR_STAND_DOWN;
 }
 
-/* As far as it remembers it has neither been there, nor taken a look that follows. */
-static bool may_go(const qtr_gains *gains, unsigned here, qtr_memory memory, unsigned target) {
+/* Not to targets in `but`, if that is any; and as far as it remembers it has neither been there, nor taken a look that
+ * follows. */
+static bool may_go(const qtr_gains *gains, unsigned here, qtr_memory memory, const qtr_places *but, unsigned target) {
+  if (target == here || (but != NULL && qtr_places_has(but, target))) return false;
+  if (here == QTR_STAND_DOWN) return true;
   return (qtr_near_bit(&gains->near, here, target) & memory) == 0 && !qtr_looks_is_before(&gains->looks, target, here);
 }
 
 /* Go to where most can be collected, and say what; QTR_STAND_DOWN: it stays, which is best. */
-static unsigned walk_on(const qtr_gains *gains, unsigned kind, walker *at, double *collected) {
+static unsigned walk_on(const qtr_gains *gains, unsigned kind, const qtr_places *but, walker *at, double *collected) {
   const qtr_steps *travel = qtr_gains_travel(gains, kind, at->node);
   const unsigned here = target_at(gains, at->node);
   unsigned best = QTR_STAND_DOWN;
@@ -299,8 +302,8 @@ static unsigned walk_on(const qtr_gains *gains, unsigned kind, walker *at, doubl
   *collected = qtr_gains_go_home(gains, kind, at->node, at->when);
   for (unsigned target = 0; target < gains_targets(gains); target++) {
     const uint16_t first = gains_first_of(gains, at->node, target);
-    if (target == here || first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
-    if (here != QTR_STAND_DOWN && !may_go(gains, here, at->memory, target)) continue;
+    if (first == QTR_STAND_DOWN || travel[first] == QTR_NEVER) continue;
+    if (!may_go(gains, here, at->memory, but, target)) continue;
     const qtr_memory memory = here == QTR_STAND_DOWN ? 0 : qtr_near_move(&gains->near, here, at->memory, target);
     double gain = qtr_gains_at(gains, kind, first, memory, at->when + travel[first]);
     if (here != QTR_STAND_DOWN) gain -= qtr_gains_charge_of(gains, here, target);
@@ -313,19 +316,52 @@ static unsigned walk_on(const qtr_gains *gains, unsigned kind, walker *at, doubl
   return best;
 }
 
-double qtr_gains_walk(const qtr_gains *gains, unsigned seeker, int *visits) {
+static walker begin_walk(const qtr_gains *gains, unsigned seeker) {
   const qtr_board *board = &gains->game->board;
+  return (walker){(unsigned)board->places + board->start_of[seeker], qtr_board_ready(board, seeker), 0};
+}
+
+static bool is_late(const qtr_gains *gains, const walker *at) {
+  return at->when / gains->slot_steps >= gains->slots;
+}
+
+static void walk_tour(const qtr_gains *gains, walker *at) {
+  const qtr_tour *tour = gains_tour_at(gains, at->node);
+  at->node = qtr_tour_exit(tour);
+  at->when += qtr_tour_length(tour);
+}
+
+double qtr_gains_walk(const qtr_gains *gains, unsigned seeker, int *visits) {
   const unsigned kind = gains->kind_of[seeker];
-  walker at = {(unsigned)board->places + board->start_of[seeker], qtr_board_ready(board, seeker), 0};
+  walker at = begin_walk(gains, seeker);
   double all, rest;
-  unsigned target = walk_on(gains, kind, &at, &all);
+  unsigned target = walk_on(gains, kind, NULL, &at, &all);
   while (target != QTR_STAND_DOWN) {
     visits[target]++;
-    if (at.when / gains->slot_steps >= gains->slots) break;
-    const qtr_tour *tour = gains_tour_at(gains, at.node);
-    at.node = qtr_tour_exit(tour);
-    at.when += qtr_tour_length(tour);
-    target = walk_on(gains, kind, &at, &rest);
+    if (is_late(gains, &at)) break;
+    walk_tour(gains, &at);
+    target = walk_on(gains, kind, NULL, &at, &rest);
   }
   return all;
+}
+
+double qtr_gains_walk_but(const qtr_gains *gains, unsigned seeker, const qtr_places *but, const double *price,
+                          int *visits) {
+  const unsigned kind = gains->kind_of[seeker];
+  walker at = begin_walk(gains, seeker);
+  double all = 0.0;
+  double rest;
+  unsigned before = QTR_STAND_DOWN;
+  unsigned target = walk_on(gains, kind, but, &at, &rest);
+  while (target != QTR_STAND_DOWN) {
+    visits[target]++;
+    all += net_worth(gains, price, at.node, at.when);
+    if (before != QTR_STAND_DOWN) all -= qtr_gains_charge_of(gains, before, target);
+    before = target;
+    const bool late = is_late(gains, &at);
+    walk_tour(gains, &at);
+    if (late) break;
+    target = walk_on(gains, kind, but, &at, &rest);
+  }
+  return all + qtr_gains_go_home(gains, kind, at.node, at.when);
 }

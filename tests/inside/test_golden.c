@@ -35,9 +35,9 @@ static const golden_drawing drawings[] = {
     {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_FREE, 0x1C5BAEA9},
     {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0x1D7E85D3},
     {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_PAPER, 0x27E6237C},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0x23E266F3},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0xB45E671C},
-    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_PAPER, 0x2D60E53D},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0xB712CACD},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0xB74B498B},
+    {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_PAPER, 0x84728122},
 };
 
 /* Counts differences, so that one run shows all the new numbers. */
