@@ -49,12 +49,17 @@ static uint16_t count_negligible(const qtr_learner *learner) {
   return count;
 }
 
+/* The ground's bound; the worth itself where it is above that by no more than two sums may differ that are equal. */
+static double upper_of(const qtr_learner *learner, double worth) {
+  return learner->ground_upper > worth + QTR_LEAST_GAP * fabs(worth) ? learner->ground_upper : worth;
+}
+
 /* (bound - worth) / |worth|, from the ground alone: what an aggregate bounds is its own policies. */
 void qtr_learner_certificate(const qtr_learner *learner, qtr_certificate *certificate) {
   const qtr_score *score = &learner->best.score;
   const uint8_t objective = learner->game->objective.kind;
   const double worth = qtr_objective_of_score(objective, score);
-  const double upper = learner->ground_upper > worth ? learner->ground_upper : worth;
+  const double upper = upper_of(learner, worth);
   certificate->value = score->value;
   certificate->expected_time = score->expected_time;
   certificate->found = score->found;

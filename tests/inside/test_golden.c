@@ -33,7 +33,7 @@ typedef struct {
 
 static const golden_drawing drawings[] = {
     {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_FREE, 0x1C5BAEA9},
-    {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0x1D7E85D3},
+    {"1..S..2/.#~..1./3.....S", 0, QTR_TIME, QTR_RULE_FREE, 0xE35E8C90},
     {"1..S..2/.#~..1./3.....S", 0, QTR_DISCOUNTED, QTR_RULE_PAPER, 0x27E6237C},
     {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 2, QTR_DISCOUNTED, QTR_RULE_FREE, 0xB712CACD},
     {"S..1..#..2/.##...#.#./..3.~~...1/1#...#..#./....#..2..", 3, QTR_TIME, QTR_RULE_FREE, 0xB74B498B},
