@@ -163,7 +163,7 @@
 #endif
 
 /* Learner: what is known at a time of the bound as a function of its prices. */
-#define QTR_MAX_CUTS (QTR_MAX_PLACES < 64 ? QTR_MAX_PLACES + 1 : QTR_MAX_PLACES > 128 ? 128 : 64)
+#define QTR_MAX_CUTS (QTR_MAX_PLACES < 64 ? QTR_MAX_PLACES + 1 : QTR_MAX_PLACES > 128 ? 250 : 64)
 
 /* Learner: bytes of a qtr_learner_memory for routes within the gap (quarter/learner.h), 32 to 72 for each of those
  * begun; a caller's own block may be as large as it likes. 0: none are listed. */
