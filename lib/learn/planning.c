@@ -11,6 +11,8 @@
 
 /* Of games that are searched by vicinity: rounds of the first run for each place, and of a step for each slot and place
  * that its prices fill; they take as long as these then. */
+#define LABELS_A_ROUND 8u
+
 #define LARGE_RUN 32u
 #define LARGE_SHARE 64u
 
@@ -104,7 +106,16 @@ void qtr_planning_step(qtr_learner *learner) {
   if (rounds > 0 && may_plan(learner)) plan(learner, rounds);
 }
 
+void qtr_planning_beside(qtr_learner *learner, uint32_t labels) {
+  if (may_plan(learner)) plan(learner, labels / LABELS_A_ROUND);
+}
+
 #else
+
+void qtr_planning_beside(qtr_learner *learner, uint32_t labels) {
+  (void)learner;
+  (void)labels;
+}
 
 uint32_t qtr_planning_price_steps(const qtr_learner *learner, uint32_t most) {
   (void)learner;

@@ -19,4 +19,7 @@ uint32_t qtr_planning_price_steps(const qtr_learner *learner, uint32_t most);
 /* Some rounds beside the prices, or beside an episode; none where the setting's own best policy is sought. */
 void qtr_planning_step(qtr_learner *learner);
 
+/* Beside so many routes begun that are listed: about half as long as that takes. */
+void qtr_planning_beside(qtr_learner *learner, uint32_t labels);
+
 #endif

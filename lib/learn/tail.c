@@ -178,6 +178,7 @@ static void list_some(qtr_learner *learner) {
 }
 
 static void list(qtr_learner *learner) {
+  if (learner->tail->pool.labels > FIRST_LABELS) qtr_planning_beside(learner, LABELS_A_STEP);
   switch (qtr_pool_go_on(&learner->tail->pool, LABELS_A_STEP)) {
   case QTR_LISTING: return;
   case QTR_POOL_FULL: list_some(learner); return;
