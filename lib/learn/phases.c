@@ -15,7 +15,8 @@
 #include "model/settings.h"
 #include "quarter/status.h"
 
-#define FIRST_ROUNDS 8 /* of shaking the first game */
+#define FIRST_ROUNDS 4      /* of shaking the first game, where nothing else betters it; */
+#define AGGREGATES_ROUNDS 8 /* of an aggregate more, which soon has no more to give */
 
 void qtr_learner_config_default(qtr_learner_config *config) {
   config->made = SETTINGS_MADE;
@@ -70,6 +71,11 @@ static void play_aggregate_by_rate(qtr_learner *learner) {
   learner->best = learner->play;
 }
 
+static unsigned first_rounds(const qtr_learner *learner) {
+  if (learner_is_aggregate(learner) && learner->game->board.places <= QTR_SEARCHED_WHOLE) return AGGREGATES_ROUNDS;
+  return qtr_planning_follows(learner) ? 0 : FIRST_ROUNDS;
+}
+
 /* A first game to tune the ground's prices by. The paper setting and aggregates learn alone: it counts for nothing once
  * they have played. */
 static void play_first(qtr_learner *learner) {
@@ -77,7 +83,7 @@ static void play_first(qtr_learner *learner) {
   if (learner_is_aggregate(learner)) play_aggregate_by_rate(learner);
   if (learner_learns_alone(learner)) return;
   learner->episodes = 1;
-  qtr_certified_refine(learner, learner->game->board.places > QTR_SEARCHED_WHOLE ? 0 : FIRST_ROUNDS);
+  qtr_certified_refine(learner, first_rounds(learner));
   qtr_planning_first(learner);
 }
 

@@ -9,15 +9,21 @@
 #define LONGEST_RUN (1u << 24)
 #define WORK_MOST (1u << 21) /* rounds times places of one step */
 
+#define FEW_BESIDE_PRICES 24u /* places: no rounds beside the prices */
+#define FEW_BESIDE_EPISODES 12u
+#define LABELS_A_ROUND 8u /* routes begun, which take twice as long */
+
 /* Of games that are searched by vicinity: rounds of the first run for each place, and of a step for each slot and place
  * that its prices fill; they take as long as these then. */
-#define LABELS_A_ROUND 8u
-
 #define LARGE_RUN 32u
 #define LARGE_SHARE 64u
 
 static bool is_large(const qtr_learner *learner) {
   return qtr_vicinity_in_use(&learner->vicinity);
+}
+
+bool qtr_planning_follows(const qtr_learner *learner) {
+  return learner->game->board.places > FEW_BESIDE_PRICES;
 }
 
 /* Fewer of the prices' steps go to one of the learner, or it would last minutes. */
@@ -35,11 +41,11 @@ static uint32_t rounds_beside_prices(const qtr_learner *learner, uint32_t more) 
 }
 
 /* A share of what a step takes itself: prices take their slots times the square of the places, episodes the cube, and a
- * round takes the places. Games of few places are mostly over before they need it. */
+ * round takes the places. */
 static uint32_t rounds_of_step(const qtr_learner *learner) {
   const uint32_t places = learner->game->board.places;
   const bool prices = learner->phase != QTR_PHASE_EPISODES;
-  const uint32_t few = prices ? 24 : 12;
+  const uint32_t few = prices ? FEW_BESIDE_PRICES : FEW_BESIDE_EPISODES;
   const uint32_t most = WORK_MOST / places;
   if (places <= few) return 0;
   if (is_large(learner) && prices)
@@ -111,6 +117,11 @@ void qtr_planning_beside(qtr_learner *learner, uint32_t labels) {
 }
 
 #else
+
+bool qtr_planning_follows(const qtr_learner *learner) {
+  (void)learner;
+  return false;
+}
 
 void qtr_planning_beside(qtr_learner *learner, uint32_t labels) {
   (void)learner;

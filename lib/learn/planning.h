@@ -13,6 +13,9 @@ void qtr_planning_init(qtr_learner *learner);
 /* Of a large game, ahead of its prices: the first run, whole. */
 void qtr_planning_first(qtr_learner *learner);
 
+/* Whether the first game is bettered beside the prices: games of few places are over before they need it. */
+bool qtr_planning_follows(const qtr_learner *learner);
+
 /* How many of `most` steps of the prices one of the learner takes. */
 uint32_t qtr_planning_price_steps(const qtr_learner *learner, uint32_t most);
 

@@ -97,7 +97,7 @@ static void test_hundreds_of_episodes_give_the_golden_table(void) {
 
 /* The same ground, more seekers: the best game chosen among routes. */
 static void test_routes_give_the_golden_table(void) {
-  static const uint32_t hash[2] = {0xEF228A46, 0xF383FD10};
+  static const uint32_t hash[2] = {0x657B87AD, 0x0DC46EDA};
   static uint64_t routes[(1u << 19) / 8];
   unsigned others = 0;
   for (uint8_t objective = 0; objective < 2; objective++) {
