@@ -15,8 +15,8 @@
 #include "model/settings.h"
 #include "quarter/status.h"
 
-#define FIRST_ROUNDS 4      /* of shaking the first game, where nothing else betters it; */
-#define AGGREGATES_ROUNDS 8 /* of an aggregate more, which soon has no more to give */
+#define FIRST_ROUNDS 4 /* of shaking the first game, where nothing else betters it; */
+#define MORE_ROUNDS 8  /* where ways home count or run out, and on an aggregate, which soon has no more to give */
 
 void qtr_learner_config_default(qtr_learner_config *config) {
   config->made = SETTINGS_MADE;
@@ -72,8 +72,10 @@ static void play_aggregate_by_rate(qtr_learner *learner) {
 }
 
 static unsigned first_rounds(const qtr_learner *learner) {
-  if (learner_is_aggregate(learner) && learner->game->board.places <= QTR_SEARCHED_WHOLE) return AGGREGATES_ROUNDS;
-  return qtr_planning_follows(learner) ? 0 : FIRST_ROUNDS;
+  const qtr_game *game = learner->game;
+  if (learner_is_aggregate(learner) && game->board.places <= QTR_SEARCHED_WHOLE) return MORE_ROUNDS;
+  if (qtr_planning_follows(learner)) return 0;
+  return game->board.terms.end != NULL || game->objective.terms.home_weight != 0.0 ? MORE_ROUNDS : FIRST_ROUNDS;
 }
 
 /* A first game to tune the ground's prices by. The paper setting and aggregates learn alone: it counts for nothing once
