@@ -38,7 +38,7 @@ def faults_of(mode, name, ignored, text):
 def main():
     project = pathlib.Path(sys.argv[1]).resolve()
     somewhere = b"see /" + b"home/ada/notes"
-    self_test([("a file", ("100644", "run", set(), b"echo /usr/bin; a.b/work/x\n"), 0),
+    self_test([("a file", ("100644", "run", set(), b"echo /usr/bin; a.b/Users/x\n"), 0),
                ("a link", (LINK, "data", set(), b""), 1),
                ("what is left out", ("100644", "build/a", {"build/a"}, b""), 1),
                ("a home folder", ("100644", "notes", set(), b"\n" + somewhere), 1),

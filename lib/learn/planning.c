@@ -32,8 +32,8 @@ uint32_t qtr_planning_price_steps(const qtr_learner *learner, uint32_t most) {
   return is_large(learner) ? 1 + most * QTR_SEARCHED_WHOLE / places * QTR_SEARCHED_WHOLE / places : most;
 }
 
-/* Much of it comes first, for prices are tuned towards the best game; then about a tenth of what the prices' step takes
- * at 60 places, and half of it at 128, where the plan is what there is for long. */
+/* Much of it comes first, for prices are tuned towards the best game; then a share of what the prices' step takes
+ * that grows with the places, for of many the plan is what there is for long. */
 static uint32_t rounds_beside_prices(const qtr_learner *learner, uint32_t more) {
   const uint64_t places = learner->game->board.places;
   return (uint32_t)(places * places * more / 32 / (1 + learner->planned_steps) +

@@ -8,7 +8,7 @@
 typedef struct {
   double value;
   int visits[QTR_MAX_PLACES];
-} walks;
+} sorties;
 
 static unsigned targets_of(const qtr_gains *gains) {
   return gains->environment->targets.count;
@@ -47,8 +47,10 @@ static unsigned crew_of(const qtr_gains *gains, unsigned seeker) {
 
 static unsigned largest_crew(const qtr_gains *gains) {
   unsigned largest = 0;
-  for (unsigned seeker = 0; seeker < gains->game->board.seekers; seeker++)
-    if (crew_of(gains, seeker) > largest) largest = crew_of(gains, seeker);
+  for (unsigned seeker = 0; seeker < gains->game->board.seekers; seeker++) {
+    const unsigned crew = crew_of(gains, seeker);
+    if (crew > largest) largest = crew;
+  }
   return largest;
 }
 
@@ -56,7 +58,7 @@ static unsigned largest_crew(const qtr_gains *gains) {
 
 /* All of a crew go where the first of them would, `taken` left out, which then are taken, too. */
 static void send(const qtr_gains *gains, const double *price, unsigned seeker, unsigned crew, qtr_places *taken,
-                 walks *all) {
+                 sorties *all) {
   int visits[QTR_MAX_PLACES] = {0};
   all->value += crew * qtr_gains_walk_but(gains, seeker, taken, price, visits);
   for (unsigned target = 0; target < targets_of(gains); target++) {
@@ -66,7 +68,7 @@ static void send(const qtr_gains *gains, const double *price, unsigned seeker, u
 }
 
 /* The walks of each crew's number `number`, from 0; of crews that are smaller, the best. */
-static void send_all(const qtr_gains *gains, const double *price, unsigned number, qtr_places *taken, walks *all) {
+static void send_all(const qtr_gains *gains, const double *price, unsigned number, qtr_places *taken, sorties *all) {
   all->value = qtr_objective_left(&gains->game->objective, 1.0);
   for (unsigned target = 0; target < targets_of(gains); target++) {
     all->value += price[target];
@@ -85,7 +87,7 @@ void qtr_cuts_add(qtr_bundle *bundle, const qtr_gains *gains, const double *pric
                   const int *visits) {
   qtr_places taken[QTR_MAX_SEEKERS];
   const unsigned most = largest_crew(gains);
-  walks all;
+  sorties all;
   for (unsigned seeker = 0; seeker < gains->game->board.seekers; seeker++) qtr_places_clear(&taken[seeker]);
   for (unsigned number = 0; most > 1 && number < most; number++) {
     send_all(gains, price, number, taken, &all);

@@ -5,7 +5,7 @@
  * for C is the most that any walk collects. The best walks under lambda give the cut that touches L there. Seekers of
  * one kind that start together all have the same best walk, which says little of where the others are to go: so there
  * is a cut for each of them, the j-th of which goes where those before it did not. They cost next to nothing beside
- * filling C, and of eight such seekers half of the fillings are saved.
+ * filling C, which is then filled less often.
  */
 #ifndef QUARTER_SEARCH_CUTS_H
 #define QUARTER_SEARCH_CUTS_H

@@ -205,9 +205,8 @@ static void go_on_by(const qtr_gains *gains, const outlook *from, unsigned here,
 
 /* C(t, j, memory) with the tour that it begins: net(j, t) + max(0, max over p of C(t + d(j, p), p, memory there)), d
  * from tour's start to start. A tour that leaves no time to go home is none. */
-static void fill_gains(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, const ways_on *listed,
-                       double home, double net) {
-  const outlook from = look_out(gains, kind, slot, place);
+static void fill_gains(const qtr_gains *gains, unsigned kind, uint32_t slot, unsigned place, const outlook *from,
+                       const ways_on *listed, double home, double net) {
   const unsigned here = gains_target_of(gains, place);
   double *row = gains_row(gains, kind, slot);
   double *gain = row + gains->entry[place];
@@ -215,8 +214,8 @@ static void fill_gains(const qtr_gains *gains, unsigned kind, uint32_t slot, uns
   on.memories = qtr_near_memories(&gains->near, here);
   for (unsigned memory = 0; memory < on.memories; memory++) on.most[memory] = home;
   if (qtr_looks_next(&gains->looks, place) != QTR_STAND_DOWN)
-    go_on_to(gains, &from, here, gains_way_to_next(gains, kind, place), &on);
-  go_on_by(gains, &from, here, listed, &on);
+    go_on_to(gains, from, here, gains_way_to_next(gains, kind, place), &on);
+  go_on_by(gains, from, here, listed, &on);
   for (unsigned memory = 0; memory < on.memories; memory++) gain[memory] = net + on.most[memory];
   if (gain[0] > row[0]) row[0] = gain[0];
 }
@@ -235,16 +234,12 @@ static void fill_looks(const qtr_gains *gains, unsigned kind, uint32_t slot, uns
   const qtr_steps done = when + qtr_tour_length(tour);
   const bool in_time = qtr_gains_in_time(gains, kind, qtr_tour_exit(tour), done);
   const double home = qtr_gains_go_home(gains, kind, qtr_tour_exit(tour), done);
-  ways_on listed;
-  outlook from = look_out(gains, kind, slot, first);
-  list_ways(gains, &from, first, home, &listed);
+  ways_on listed = {.count = 0};
   for (unsigned look = first; look != QTR_STAND_DOWN; look = qtr_looks_next(&gains->looks, look)) {
-    if (look != first && gains->charge != NULL) {
-      from = look_out(gains, kind, slot, look);
-      list_ways(gains, &from, look, home, &listed);
-    }
+    const outlook from = look_out(gains, kind, slot, look);
+    if (look == first || gains->charge != NULL) list_ways(gains, &from, look, home, &listed);
     if (in_time)
-      fill_gains(gains, kind, slot, look, &listed, home, net_worth(gains, price, look, when));
+      fill_gains(gains, kind, slot, look, &from, &listed, home, net_worth(gains, price, look, when));
     else
       fill_with_none(gains, kind, slot, look);
     keep_best_look(gains, kind, slot, look);
