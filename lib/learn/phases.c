@@ -74,7 +74,7 @@ static void play_aggregate_by_rate(qtr_learner *learner) {
 static unsigned first_rounds(const qtr_learner *learner) {
   const qtr_game *game = learner->game;
   if (learner_is_aggregate(learner) && game->board.places <= QTR_SEARCHED_WHOLE) return MORE_ROUNDS;
-  if (qtr_planning_follows(learner)) return 0;
+  if (qtr_planning_follows(learner) || qtr_tail_comes_first(learner)) return 0;
   return game->board.terms.end != NULL || game->objective.terms.home_weight != 0.0 ? MORE_ROUNDS : FIRST_ROUNDS;
 }
 
@@ -188,11 +188,14 @@ static void tune_prices(qtr_learner *learner) {
 static enum qtr_learning step_prices(qtr_learner *learner) {
   if (!learner_learns_alone(learner) && qtr_certificate_closed(learner)) return QTR_CERTIFIED;
   qtr_planning_step(learner);
+  if (learner->bound.iterations == 0 && !learner_learns_alone(learner) && qtr_tail_comes_first(learner) &&
+      qtr_tail_try_early(learner))
+    return qtr_certificate_verdict(learner);
   tune_prices(learner);
   if (learner_learns_alone(learner)) return QTR_LEARNING;
   if (qtr_certificate_closed(learner)) return QTR_CERTIFIED;
   if (learner->phase == QTR_PHASE_GROUND_PRICES) qtr_tail_try_early(learner);
-  return QTR_LEARNING;
+  return qtr_certificate_verdict(learner);
 }
 
 /* Each place, or what is made of some, is chosen once, and see QTR_MAX_CHOICES. */

@@ -8,12 +8,14 @@
 #include "learn/role.h"
 #include "model/rounding.h"
 #include "search/columns.h"
+#include "search/deal.h"
 #include "search/pool.h"
 #include "search/selection.h"
 
 #define FIRST_LABELS (1u << 17) /* of the first list of all routes; each that fails is followed by a longer one */
 #define LONGER 4u
-#define EARLY_LABELS 8u          /* a list while prices are tuned: of what a fill of C takes, so many times fewer; */
+#define EARLY_LABELS 8u /* a list while prices are tuned: of what a fill of C takes, so many times fewer; */
+#define LEAST_EARLY_LABELS (1u << 14) /* where all routes of a few places are listed at once */
 #define EARLY_SHARE 0.7          /* and not before the gap is that much of what it was when the last one was too long */
 #define LABELS_TO_TRY (1u << 19) /* of a list of some, out of which a better game is looked for, */
 #define STEPS_TO_TRY 2000u       /* so long at most */
@@ -24,8 +26,10 @@
 #define LEAST_ROUNDS 2u          /* and rounds of triples */
 #define FIRST_EPISODES 64u       /* before all is tried anew; after each failure four times as many */
 #define LABELS_A_STEP 4096u
+#define FEW_PLACES 9u    /* and one for each seeker: all routes are listed sooner than prices are tuned */
 #define PLACES_MOST 256u /* of more of them pairs and triples take too long */
 #define LEAST_GAP 1e-8   /* what a linear programme can tell */
+#define ROUNDING 1e-14   /* what sums of prices lose of them */
 
 enum phase {
   TAIL_WAITS = 0,
@@ -74,10 +78,16 @@ void qtr_tail_init(qtr_learner *learner, void *block, size_t bytes) {
   tail->bytes = bytes - needed;
 }
 
+/* Few enough places to deal them to the seekers. */
+static bool is_dealt(const qtr_learner *learner) {
+  return learner->game->board.places <= QTR_DEALT_MOST;
+}
+
 /* All of the gap is closed but for what rounding may add, and never less than half of the gap asked for. */
 static double target_of(const qtr_learner *learner) {
   const double half = qtr_certificate_within(learner, 0.5);
-  const double least = learner->best.score.worth + LEAST_GAP * fabs(learner->best.score.worth);
+  const double least_gap = is_dealt(learner) ? QTR_LEAST_GAP : LEAST_GAP;
+  const double least = learner->best.score.worth + least_gap * fabs(learner->best.score.worth);
   return half < least ? half : least;
 }
 
@@ -130,12 +140,35 @@ static void begin_prices(qtr_learner *learner) {
   qtr_columns_begin(&tail->columns, &learner->bound, &tail->pool, &room, target_of(learner));
 }
 
+/* Where prices are far above what any game is worth, no sum of them tells games apart. */
+static bool can_tell(const qtr_learner *learner) {
+  double prices = 0.0;
+  for (unsigned place = 0; place < learner->game->board.places; place++) prices += fabs(learner->bound.price[place]);
+  return target_of(learner) - learner->best.score.worth >= ROUNDING * prices;
+}
+
 static void begin(qtr_learner *learner) {
   qtr_tail *tail = learner->tail;
-  if (learner->episodes < tail->episodes) return;
+  if (learner->episodes < tail->episodes || !can_tell(learner)) return;
   begin_prices(learner);
   tail->is_early = tail->is_priced = false;
   list_all(learner);
+}
+
+static void take_routes(qtr_learner *learner) {
+  qtr_play_routes(&learner->play, learner->game, &learner->routes);
+  if (qtr_score_is_better(&learner->play.score, &learner->best.score)) learner->best = learner->play;
+}
+
+/* The best game out of the routes listed, which all games that are worth more than the target are made of. */
+static bool deal(qtr_learner *learner) {
+  qtr_tail *tail = learner->tail;
+  const size_t used = qtr_pool_bytes(&tail->pool, tail->pool.labels);
+  if (!is_dealt(learner) || tail->bytes - used < qtr_deal_bytes(&tail->pool)) return false;
+  if (qtr_deal(&tail->pool, tail->listed + used, &learner->routes)) take_routes(learner);
+  lower(learner, target_of(learner));
+  settle(learner, TAIL_IS_OVER);
+  return true;
 }
 
 /* From the labels on what is left of the block is free. */
@@ -146,11 +179,12 @@ static bool begin_selection(qtr_learner *learner) {
                              &tail->columns.center, &tail->columns.basis, target_of(learner));
 }
 
-static void begin_choice(qtr_learner *learner) {
-  if (begin_selection(learner))
-    learner->tail->phase = TAIL_SELECTS;
-  else
-    wait_for_next(learner);
+/* Out of all routes within the gap. */
+static bool begin_choice(qtr_learner *learner) {
+  if (deal(learner)) return true;
+  if (!begin_selection(learner)) return false;
+  learner->tail->phase = TAIL_SELECTS;
+  return true;
 }
 
 static void price_on(qtr_learner *learner) {
@@ -184,10 +218,10 @@ static void list(qtr_learner *learner) {
   case QTR_POOL_FULL: list_some(learner); return;
   default: break;
   }
-  if (learner->tail->share == 1.0)
-    begin_choice(learner);
-  else
+  if (learner->tail->share != 1.0)
     begin_try(learner);
+  else if (!begin_choice(learner))
+    wait_for_next(learner);
 }
 
 /* ---- prices of routes, until fewer are within the gap ---- */
@@ -216,8 +250,7 @@ static void fill(qtr_learner *learner) {
 
 static void take_game(qtr_learner *learner) {
   qtr_selection_routes(&learner->tail->selection, &learner->routes);
-  qtr_play_routes(&learner->play, learner->game, &learner->routes);
-  if (qtr_score_is_better(&learner->play.score, &learner->best.score)) learner->best = learner->play;
+  take_routes(learner);
   qtr_selection_raise(&learner->tail->selection, target_of(learner));
 }
 
@@ -253,11 +286,17 @@ static bool is_of_use(const qtr_learner *learner) {
 
 /* ---- while prices are being tuned ---- */
 
+bool qtr_tail_comes_first(const qtr_learner *learner) {
+  const qtr_board *board = &learner->game->board;
+  return is_of_use(learner) && board->places <= FEW_PLACES + board->seekers;
+}
+
 /* It is to take less than the prices' steps do from one to the next. */
 static uint32_t early_labels(const qtr_learner *learner) {
   const uint32_t places = learner->game->board.places;
   const uint64_t labels = (uint64_t)places * places * learner->bound.gains.slots / EARLY_LABELS;
-  return labels < FIRST_LABELS ? (uint32_t)labels : FIRST_LABELS;
+  const uint32_t least = qtr_tail_comes_first(learner) ? LEAST_EARLY_LABELS : 0;
+  return labels > FIRST_LABELS ? FIRST_LABELS : labels > least ? (uint32_t)labels : least;
 }
 
 static bool list_early(qtr_learner *learner) {
@@ -266,18 +305,21 @@ static bool list_early(qtr_learner *learner) {
   begin_prices(learner);
   begin_list(learner, 1.0, early_labels(learner));
   while (status == QTR_LISTING) status = qtr_pool_go_on(&tail->pool, LABELS_A_STEP);
-  return status == QTR_LISTED && begin_selection(learner);
+  return status == QTR_LISTED && begin_choice(learner);
 }
 
-void qtr_tail_try_early(qtr_learner *learner) {
+bool qtr_tail_try_early(qtr_learner *learner) {
   qtr_tail *tail = learner->tail;
-  if (!is_of_use(learner)) return;
+  if (!is_of_use(learner) || !can_tell(learner)) return false;
   const double gap = learner->bound.upper - target_of(learner);
-  if (gap > tail->early_gap || !qtr_bound_settle(&learner->bound)) return;
+  if (gap > tail->early_gap || !qtr_bound_settle(&learner->bound)) return false;
   tail->early_gap = EARLY_SHARE * gap;
   tail->is_early = list_early(learner);
-  tail->phase = tail->is_early ? TAIL_SELECTS : TAIL_WAITS;
-  if (tail->is_early) learner->phase = QTR_PHASE_EPISODES;
+  if (tail->is_early)
+    learner->phase = QTR_PHASE_EPISODES;
+  else
+    tail->phase = TAIL_WAITS;
+  return tail->is_early;
 }
 
 /* ---- steps ---- */

@@ -93,6 +93,7 @@ static bool begin_cuts(qtr_bound *bound) {
   qtr_bundle_init(&bound->bundle, targets_of(bound));
   const double upper = evaluate(bound, bound->price, visits);
   if (upper == HUGE_VAL) return false;
+  bound->filling = bound->gains.fillings;
   qtr_cuts_add(&bound->bundle, &bound->gains, bound->price, step, upper, visits);
   if (upper < bound->upper) bound->upper = upper;
   return true;
@@ -116,6 +117,7 @@ void qtr_bound_init(qtr_bound *bound, void *block, const qtr_environment *enviro
   qtr_gains_cut(&bound->gains, price_by_visits(bound, visit));
   bound->shares = environment->aggregated && environment->board.rule == QTR_RULE_PAPER;
   bound->iterations = 0;
+  bound->filling = 0;
   bound->rounds = 1;
   bound->upper = bound->upper_before = HUGE_VAL;
   if (bound->shares || !begin_cuts(bound)) bound->upper = qtr_bound_at_once(bound);
@@ -151,6 +153,7 @@ static void put_on_trial(qtr_bound *bound, double *step) {
 
 static void keep_trial(qtr_bound *bound, double upper, const double *step) {
   bound->upper = upper;
+  bound->filling = bound->gains.fillings;
   for (unsigned target = 0; target < targets_of(bound); target++) bound->price[target] = bound->trial[target];
   qtr_bundle_move(&bound->bundle, step);
 }
@@ -184,7 +187,10 @@ bool qtr_bound_improve(qtr_bound *bound, double goal) {
 }
 
 bool qtr_bound_settle(qtr_bound *bound) {
-  return bound->shares || fill(bound, bound->price);
+  if (bound->shares || (bound->filling != 0 && bound->filling == bound->gains.fillings)) return true;
+  if (!fill(bound, bound->price)) return false;
+  bound->filling = bound->gains.fillings;
+  return true;
 }
 
 /* ---- states ---- */

@@ -157,6 +157,7 @@ static void lay_entries(qtr_gains *gains) {
 
 bool qtr_gains_remember_more(qtr_gains *gains) {
   if (!add_neighbours(gains)) return false;
+  gains->fillings++;
   lay_entries(gains);
   qtr_ways_measure(gains);
   return true;
@@ -227,6 +228,7 @@ void qtr_gains_init(qtr_gains *gains, void *block, const qtr_environment *enviro
   gains->environment = environment;
   gains->game = environment->game;
   gains->charge = NULL;
+  gains->fillings = 0;
   gains->kinds = (uint8_t)list_kinds(&gains->game->board, gains->kind_of, gains->first_of);
   qtr_looks_init(&gains->looks, environment);
   gains->clocked = gains->game->board.terms.end != NULL || gains->game->objective.kind == QTR_DEADLINE;
@@ -237,4 +239,5 @@ void qtr_gains_init(qtr_gains *gains, void *block, const qtr_environment *enviro
 
 void qtr_gains_charge(qtr_gains *gains, const double *charge) {
   gains->charge = charge;
+  gains->fillings++;
 }

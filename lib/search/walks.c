@@ -254,6 +254,7 @@ static void begin_slot(const qtr_gains *gains, uint32_t slot) {
 
 /* Backwards in time, for each slot rests on later ones alone. False: stopped, and the gains are those of no prices. */
 bool qtr_gains_fill(qtr_gains *gains, const double *price) {
+  gains->fillings++;
   fill_late(gains, price);
   for (uint32_t slot = gains->slots; slot-- > 0;) {
     if (slot % WATCH_SLOTS == 0 && !qtr_watch_go_on(&gains->game->mission->watch)) return false;

@@ -61,6 +61,7 @@ static void bound_walks_that_stand_still(void) {
 
 static void pay_for_leaving_out(void) {
   table_learner->bound.price[0] = -1.0;
+  table_learner->bound.filling = 0; /* C is of other prices */
   qtr_bound_settle(&table_learner->bound);
 }
 

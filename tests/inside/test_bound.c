@@ -179,6 +179,7 @@ static void test_time_past_the_last_slot_is_bounded_too(void) {
     bound.gains.slots = random_in(&random, 1, bound.gains.slots);
     for (unsigned place = 0; place < mission.places; place++)
       past += visit[place] >= bound.gains.slots * bound.gains.slot_steps;
+    bound.filling = 0; /* C is of other slots */
     qtr_bound_settle(&bound);
     look_at_all_states();
   }
@@ -197,6 +198,7 @@ static void test_bound_holds_under_arbitrary_prices(void) {
     for (unsigned place = 0; place < mission.places; place++)
       bound.price[place] =
           mission.aim.kind == QTR_TIME ? 20.0 * random_unit(&random) - 15.0 : 4.0 * random_unit(&random);
+    bound.filling = 0; /* C is of other prices */
     qtr_bound_settle(&bound);
     look_at_all_states();
   }

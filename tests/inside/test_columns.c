@@ -56,6 +56,7 @@ static void begin(test_random *random, unsigned steps, double shaken, uint32_t l
   while (steps-- > 0 && qtr_bound_improve(&bound, best.score.worth)) {}
   for (unsigned place = 0; place < game.board.places; place++)
     bound.price[place] += shaken * fabs(bound.price[place]) * (random_unit(random) - 0.5);
+  bound.filling = 0; /* C is of other prices */
   qtr_bound_settle(&bound);
   qtr_pool_init(&pool, pool_block, sizeof pool_block, &bound);
   qtr_columns_begin(&columns, &bound, &pool, &room, target());

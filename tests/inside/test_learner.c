@@ -46,6 +46,7 @@ static void begin(void) {
 static void weaken(test_random *random) {
   for (unsigned place = 0; place < mission.places; place++)
     learner->bound.price[place] = mission.aim.kind == QTR_TIME ? 0.0 : 12.0 * random_unit(random);
+  learner->bound.filling = 0; /* C is of other prices */
   qtr_bound_settle(&learner->bound);
   learner->phase = QTR_PHASE_EPISODES;
   learner->upper = mission.aim.kind == QTR_TIME ? 0.0 : 1e6;

@@ -65,6 +65,7 @@ static void begin(test_random *random) {
   for (unsigned steps = random_below(random, 20); steps > 0 && qtr_bound_improve(&bound, play.score.worth); steps--) {}
   for (unsigned place = 0; place < game.board.places; place++)
     bound.price[place] += fabs(bound.price[place]) * (random_unit(random) - 0.5);
+  bound.filling = 0; /* C is of other prices */
   qtr_bound_settle(&bound);
   qtr_pool_init(&pool, block, sizeof block, &bound);
   qtr_pool_duals(&pool, &duals);

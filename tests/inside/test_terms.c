@@ -50,6 +50,7 @@ static void expect_certified(unsigned seed, unsigned features, bool weakened) {
   begin(seed, features);
   if (weakened) { /* no prices, no good first game: the certificate must come from Q-learning alone */
     for (unsigned place = 0; place < game.board.places; place++) learner->bound.price[place] = 0.0;
+    learner->bound.filling = 0; /* C is of other prices */
     qtr_bound_settle(&learner->bound);
     learner->phase = QTR_PHASE_EPISODES;
     learner->upper = learner->ground_upper = 1e6;
