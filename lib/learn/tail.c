@@ -14,7 +14,8 @@
 
 #define FIRST_LABELS (1u << 17) /* of the first list of all routes; each that fails is followed by a longer one */
 #define LONGER 4u
-#define EARLY_LABELS 8u /* a list while prices are tuned: of what a fill of C takes, so many times fewer; */
+#define EARLY_LABELS 8u   /* a list while prices are tuned: of what a fill of C takes, so many times fewer; */
+#define SMALL_LAYERS 100u /* that fit in it */
 #define LEAST_EARLY_LABELS (1u << 14) /* where all routes of a few places are listed at once */
 #define EARLY_SHARE 0.7          /* and not before the gap is that much of what it was when the last one was too long */
 #define LABELS_TO_TRY (1u << 19) /* of a list of some, out of which a better game is looked for, */
@@ -299,12 +300,27 @@ static uint32_t early_labels(const qtr_learner *learner) {
   return labels > FIRST_LABELS ? FIRST_LABELS : labels > least ? (uint32_t)labels : least;
 }
 
+/* A layer of routes as long as half of what a seeker visits and less, not small any more and more than twice the one
+ * before it: those to come do not fit. */
+static bool is_hopeless(const qtr_learner *learner, uint32_t length, uint32_t before) {
+  const qtr_pool *pool = &learner->tail->pool;
+  const uint32_t layer = pool->layer_end - pool->layer_begin;
+  return length * learner->game->board.seekers * 2 <= learner->game->board.places &&
+         layer > pool->labels_most / SMALL_LAYERS && layer / 2 > before;
+}
+
 static bool list_early(qtr_learner *learner) {
-  qtr_tail *tail = learner->tail;
+  qtr_pool *pool = &learner->tail->pool;
   enum qtr_listing status = QTR_LISTING;
+  uint32_t length = 0;
   begin_prices(learner);
   begin_list(learner, 1.0, early_labels(learner));
-  while (status == QTR_LISTING) status = qtr_pool_go_on(&tail->pool, LABELS_A_STEP);
+  while (status == QTR_LISTING) {
+    const uint32_t begin = pool->layer_begin;
+    const uint32_t before = pool->layer_end - begin;
+    status = qtr_pool_go_on(pool, LABELS_A_STEP);
+    if (pool->layer_begin != begin && is_hopeless(learner, ++length, before)) return false;
+  }
   return status == QTR_LISTED && begin_choice(learner);
 }
 

@@ -9,6 +9,8 @@
 #include "search/rows.h"
 
 #define FINE_SLOTS 512u /* as many are enough where nothing depends on the clock */
+#define FEW_PLACES 24u
+#define LONG_ROUTE 10u /* places a seeker */
 
 static unsigned nodes_of(const qtr_gains *gains) {
   return gains_places(gains) + gains->game->board.starts;
@@ -45,7 +47,7 @@ static qtr_steps shortest_apart(const qtr_gains *gains) {
  * nothing is worth anything, and that is what counts there. */
 static uint64_t horizon_of(const qtr_gains *gains, qtr_steps last_visit) {
   const qtr_objective *objective = &gains->game->objective;
-  uint64_t horizon = (uint64_t)last_visit * 5 / 4 + gains->environment->board.keys.longest + 2;
+  uint64_t horizon = (uint64_t)last_visit * 5 / 4 + 2;
   if (horizon > QTR_NEVER / 2) horizon = QTR_NEVER / 2;
   if (objective->kind == QTR_DEADLINE && horizon > objective->deadline) horizon = (uint64_t)objective->deadline + 1;
   return horizon;
@@ -131,17 +133,13 @@ static bool add_neighbour(qtr_gains *gains, unsigned first, unsigned neighbour, 
   return true;
 }
 
-/* One neighbour more for each target, with all looks that follow there, as far as there is room: each doubles what is
- * kept of its target. */
+/* One neighbour more for each target, as far as there is room: each doubles what is kept of its target. */
 static bool add_neighbours(qtr_gains *gains) {
   uint64_t row = gains_a_slot(gains);
   bool added = false;
   for (unsigned target = 0; target < gains->looks.firsts; target++) {
-    unsigned neighbour = next_neighbour(gains, target);
-    while (neighbour != QTR_STAND_DOWN && add_neighbour(gains, target, neighbour, &row)) {
-      neighbour = qtr_looks_next(&gains->looks, neighbour);
-      added = true;
-    }
+    const unsigned neighbour = next_neighbour(gains, target);
+    if (neighbour != QTR_STAND_DOWN && add_neighbour(gains, target, neighbour, &row)) added = true;
   }
   return added;
 }
@@ -163,9 +161,17 @@ bool qtr_gains_remember_more(qtr_gains *gains) {
   return true;
 }
 
+/* To begin with. On long routes walks turn back more often, and more steps of the prices pay for what more neighbours
+ * take. Of looks each is a neighbour of its own. */
+static unsigned first_neighbours(const qtr_gains *gains) {
+  const unsigned places = gains_places(gains);
+  if (qtr_looks_in_use(&gains->looks)) return places > FEW_PLACES ? 3 : 2;
+  return places > FEW_PLACES && places >= LONG_ROUTE * gains->game->board.seekers ? 2 : 1;
+}
+
 void qtr_gains_cut(qtr_gains *gains, qtr_steps last_visit) {
   cut_slots(gains, last_visit);
-  add_neighbours(gains);
+  for (unsigned count = first_neighbours(gains); count > 0; count--) add_neighbours(gains);
   lay_entries(gains);
   qtr_ways_measure(gains);
 }
