@@ -15,7 +15,8 @@
 #define FIRST_LABELS (1u << 17) /* of the first list of all routes; each that fails is followed by a longer one */
 #define LONGER 4u
 #define EARLY_LABELS 8u   /* a list while prices are tuned: of what a fill of C takes, so many times fewer; */
-#define SMALL_LAYERS 100u /* that fit in it */
+#define SMALL_LAYERS 100u /* that fit in it, */
+#define SHORT_LISTS 24u   /* and of how many places it takes no time */
 #define LEAST_EARLY_LABELS (1u << 14) /* where all routes of a few places are listed at once */
 #define EARLY_SHARE 0.7          /* and not before the gap is that much of what it was when the last one was too long */
 #define LABELS_TO_TRY (1u << 19) /* of a list of some, out of which a better game is looked for, */
@@ -301,11 +302,13 @@ static uint32_t early_labels(const qtr_learner *learner) {
 }
 
 /* A layer of routes as long as half of what a seeker visits and less, not small any more and more than twice the one
- * before it: those to come do not fit. */
+ * before it: those to come do not fit. Lists of few places take no time; and where endurance ends routes, nobody knows
+ * what half of one is. */
 static bool is_hopeless(const qtr_learner *learner, uint32_t length, uint32_t before) {
+  const qtr_board *board = &learner->game->board;
   const qtr_pool *pool = &learner->tail->pool;
   const uint32_t layer = pool->layer_end - pool->layer_begin;
-  return length * learner->game->board.seekers * 2 <= learner->game->board.places &&
+  return board->places > SHORT_LISTS && board->terms.end == NULL && length * board->seekers * 2 <= board->places &&
          layer > pool->labels_most / SMALL_LAYERS && layer / 2 > before;
 }
 

@@ -44,10 +44,13 @@ static qtr_steps shortest_apart(const qtr_gains *gains) {
 }
 
 /* The steps that slots are to reach, a quarter further than the last visit of the play known: beyond the deadline
- * nothing is worth anything, and that is what counts there. */
+ * nothing is worth anything, and that is what counts there. Where ways home count or run out, a leg further: what is
+ * past the last slot is taken for collected by whoever is nearest home. */
 static uint64_t horizon_of(const qtr_gains *gains, qtr_steps last_visit) {
   const qtr_objective *objective = &gains->game->objective;
   uint64_t horizon = (uint64_t)last_visit * 5 / 4 + 2;
+  if (gains->game->board.terms.end != NULL || objective->terms.home_weight != 0.0)
+    horizon += gains->environment->board.keys.longest;
   if (horizon > QTR_NEVER / 2) horizon = QTR_NEVER / 2;
   if (objective->kind == QTR_DEADLINE && horizon > objective->deadline) horizon = (uint64_t)objective->deadline + 1;
   return horizon;
