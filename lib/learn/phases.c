@@ -184,13 +184,17 @@ static void tune_prices(qtr_learner *learner) {
     learner->phase = QTR_PHASE_EPISODES;
 }
 
+/* All routes of few places are listed sooner than the first steps of the prices are taken. Whether they are. */
+static bool list_first(qtr_learner *learner) {
+  return learner->bound.iterations == 0 && !learner_learns_alone(learner) && qtr_tail_comes_first(learner) &&
+         qtr_tail_try_early(learner);
+}
+
 /* Prices alone often close the gap, when local search has found the best game: then no Q is needed. */
 static enum qtr_learning step_prices(qtr_learner *learner) {
   if (!learner_learns_alone(learner) && qtr_certificate_closed(learner)) return QTR_CERTIFIED;
   qtr_planning_step(learner);
-  if (learner->bound.iterations == 0 && !learner_learns_alone(learner) && qtr_tail_comes_first(learner) &&
-      qtr_tail_try_early(learner))
-    return qtr_certificate_verdict(learner);
+  if (list_first(learner)) return qtr_certificate_verdict(learner);
   tune_prices(learner);
   if (learner_learns_alone(learner)) return QTR_LEARNING;
   if (qtr_certificate_closed(learner)) return QTR_CERTIFIED;

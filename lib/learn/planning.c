@@ -32,17 +32,17 @@ uint32_t qtr_planning_price_steps(const qtr_learner *learner, uint32_t most) {
   return is_large(learner) ? 1 + most * QTR_SEARCHED_WHOLE / places * QTR_SEARCHED_WHOLE / places : most;
 }
 
-/* Walks of long routes remember more from the first step on, and each takes as much longer. */
-static uint64_t memories(const qtr_learner *learner) {
-  const uint32_t least = 2u * learner->game->board.places;
-  return learner->bound.gains.row < 2 * least ? 1 : 2;
+/* How many times as long a filling of C takes as where walks remember one neighbour of each place, two gains a slot:
+ * about twice, where they remember more. */
+static uint64_t length_of_filling(const qtr_learner *learner) {
+  return learner->bound.gains.row < 4u * learner->game->board.places ? 1 : 2;
 }
 
 /* Much of it comes first, for prices are tuned towards the best game; then a share of what the prices' step takes
  * that grows with the places, for of many the plan is what there is for long. */
 static uint32_t rounds_beside_prices(const qtr_learner *learner, uint32_t more) {
   const uint64_t places = learner->game->board.places;
-  const uint64_t filled = learner->bound.gains.slots * memories(learner);
+  const uint64_t filled = learner->bound.gains.slots * length_of_filling(learner);
   return (uint32_t)(places * places * more / 32 / (1 + learner->planned_steps) +
                     (filled * more * places * places >> 15));
 }

@@ -157,6 +157,7 @@ static void begin(qtr_learner *learner) {
   list_all(learner);
 }
 
+/* Play the routes at hand, and keep the game if it is better. */
 static void take_routes(qtr_learner *learner) {
   qtr_play_routes(&learner->play, learner->game, &learner->routes);
   if (qtr_score_is_better(&learner->play.score, &learner->best.score)) learner->best = learner->play;
@@ -297,13 +298,13 @@ bool qtr_tail_comes_first(const qtr_learner *learner) {
 static uint32_t early_labels(const qtr_learner *learner) {
   const uint32_t places = learner->game->board.places;
   const uint64_t labels = (uint64_t)places * places * learner->bound.gains.slots / EARLY_LABELS;
-  const uint32_t least = qtr_tail_comes_first(learner) ? LEAST_EARLY_LABELS : 0;
-  return labels > FIRST_LABELS ? FIRST_LABELS : labels > least ? (uint32_t)labels : least;
+  if (labels < LEAST_EARLY_LABELS && qtr_tail_comes_first(learner)) return LEAST_EARLY_LABELS;
+  return labels < FIRST_LABELS ? (uint32_t)labels : FIRST_LABELS;
 }
 
-/* A layer of routes as long as half of what a seeker visits and less, not small any more and more than twice the one
- * before it: those to come do not fit. Lists of few places take no time; and where endurance ends routes, nobody knows
- * what half of one is. */
+/* A layer of routes of `length` places, half of what a seeker visits or less, is not small any more and more than
+ * twice as large as the one before it: those to come do not fit. Lists of few places take no time; and where endurance
+ * ends routes, nobody knows what half of one is. */
 static bool is_hopeless(const qtr_learner *learner, uint32_t length, uint32_t before) {
   const qtr_board *board = &learner->game->board;
   const qtr_pool *pool = &learner->tail->pool;
@@ -319,10 +320,10 @@ static bool list_early(qtr_learner *learner) {
   begin_prices(learner);
   begin_list(learner, 1.0, early_labels(learner));
   while (status == QTR_LISTING) {
-    const uint32_t begin = pool->layer_begin;
-    const uint32_t before = pool->layer_end - begin;
+    const uint32_t first = pool->layer_begin;
+    const uint32_t before = pool->layer_end - first;
     status = qtr_pool_go_on(pool, LABELS_A_STEP);
-    if (pool->layer_begin != begin && is_hopeless(learner, ++length, before)) return false;
+    if (pool->layer_begin != first && is_hopeless(learner, ++length, before)) return false;
   }
   return status == QTR_LISTED && begin_choice(learner);
 }

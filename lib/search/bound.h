@@ -40,7 +40,7 @@ typedef struct {
   uint32_t rounds;              /* in which they were given neighbours */
   qtr_bundle bundle;
   uint32_t iterations, steps_without_gain;
-  uint32_t filling; /* of the gains, under the prices in force, if it is the last one; 0: there was none */
+  uint32_t filling; /* the gains' number of fillings when C was last that of the prices in force; 0: it never was */
   qtr_gains gains;
 } qtr_bound;
 

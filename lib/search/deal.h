@@ -17,11 +17,12 @@
 
 #define QTR_DEALT_MOST 10u /* places */
 
-/* What it takes of a block, aligned for a double. */
+/* Bytes that it takes of a block, aligned for a double. Here and below the game has QTR_DEALT_MOST places at most. */
 size_t qtr_deal_bytes(const qtr_pool *pool);
 
-/* The best game of at most QTR_DEALT_MOST places in which each seeker goes one of the routes listed, and no two to the
- * same place. False: there is none. */
+/* The best game in which each seeker goes one of the routes listed, and no two to the same place; all places are
+ * visited where the objective needs that. Routes come without scores. False: there is none, and the routes are as they
+ * were. */
 bool qtr_deal(const qtr_pool *pool, void *block, qtr_routes *routes);
 
 #endif

@@ -8,9 +8,9 @@
 #include "search/closure.h"
 #include "search/rows.h"
 
-#define FINE_SLOTS 512u /* as many are enough where nothing depends on the clock */
-#define FEW_PLACES 24u
-#define LONG_ROUTE 10u /* places a seeker */
+#define FINE_SLOTS 512u  /* as many are enough where nothing depends on the clock */
+#define SHORT_TUNING 24u /* places: prices of no more than that are tuned in a few steps */
+#define LONG_ROUTE 10u   /* places a seeker */
 
 static unsigned nodes_of(const qtr_gains *gains) {
   return gains_places(gains) + gains->game->board.starts;
@@ -168,8 +168,8 @@ bool qtr_gains_remember_more(qtr_gains *gains) {
  * take. Of looks each is a neighbour of its own. */
 static unsigned first_neighbours(const qtr_gains *gains) {
   const unsigned places = gains_places(gains);
-  if (qtr_looks_in_use(&gains->looks)) return places > FEW_PLACES ? 3 : 2;
-  return places > FEW_PLACES && places >= LONG_ROUTE * gains->game->board.seekers ? 2 : 1;
+  if (qtr_looks_in_use(&gains->looks)) return places > SHORT_TUNING ? 3 : 2;
+  return places > SHORT_TUNING && places >= LONG_ROUTE * gains->game->board.seekers ? 2 : 1;
 }
 
 void qtr_gains_cut(qtr_gains *gains, qtr_steps last_visit) {

@@ -32,7 +32,7 @@ typedef struct {
   uint32_t slots;       /* in use */
   qtr_steps slot_steps; /* steps a slot */
   const double *charge; /* of each move from target to target, a row of targets each; NULL: none */
-  uint32_t fillings;    /* how often what C was has been lost, to tell whether it is what it was */
+  uint32_t fillings;    /* begun, and other times that C was lost: while it is the same, so is C */
   bool clocked;         /* what can be collected depends on the clock: nothing between slots is known */
   double slot_fall;     /* discounted: 1 - gamma^slot_steps */
   uint32_t row;         /* gains a slot of a kind */
